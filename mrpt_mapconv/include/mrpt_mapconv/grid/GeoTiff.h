@@ -1,0 +1,37 @@
+#pragma once
+
+#include <mrpt_mapconv/grid/Layer.h>
+
+#include <string>
+#include <vector>
+
+namespace mrpt_mapconv::grid
+{
+/** A layer and the name that it carries in a file. */
+struct NamedLayer
+{
+  std::string name;
+  const Layer<float>* layer = nullptr;
+};
+
+/** Writes layers as the bands of one Float32 GeoTIFF, in their order, described by their names.
+ *
+ * North is up (the first raster row is the highest y), the geotransform is exactly
+ * {xMin, resolution, 0, yMax, 0, −resolution} in metres, NaN means no data. There is no
+ * projection: the map frame is a local one. An error can leave an unfinished file behind; write
+ * into OutputDir::path().
+ *
+ * \param bands at least one; all on the same frame, which must not be empty
+ * \exception std::invalid_argument if they are not
+ * \exception std::runtime_error naming the file and GDAL's reason, also if the disk is full */
+void writeGeoTiff(const std::string& path, const std::vector<NamedLayer>& bands);
+
+/** Reads one band of a GeoTIFF of square, north-up cells that lie on integer keys, as
+ * writeGeoTiff() writes it. Cells without data become NaN.
+ *
+ * \param bandName description of the band
+ * \exception std::runtime_error naming the file and the reason: it cannot be read, has no such band
+ * (those it has are named) or its geotransform does not give integer keys */
+Layer<float> readGeoTiffBand(const std::string& path, const std::string& bandName);
+
+}  // namespace mrpt_mapconv::grid

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cpl_error.h>
+
+#include <stdexcept>
+#include <string>
+
+namespace mrpt_mapconv::grid
+{
+/** Collects GDAL's errors of this thread while it lives, instead of letting GDAL print them.
+ *
+ * Needed because GDAL reports some of them late and through no return value: those of closing a
+ * file (a full disk!) only reach the error handler.
+ */
+class GdalErrors
+{
+ public:
+  GdalErrors() { CPLPushErrorHandlerEx(&GdalErrors::collect, this); }
+  ~GdalErrors() { CPLPopErrorHandler(); }
+  GdalErrors(const GdalErrors&) = delete;
+  GdalErrors& operator=(const GdalErrors&) = delete;
+
+  /** \exception std::runtime_error "cannot <action> '<path>': <first error>" if there was one */
+  void check(const std::string& action, const std::string& path) const
+  {
+    if (m_failed) raise(action, path);
+  }
+  /** \exception std::runtime_error the same, always */
+  [[noreturn]] void raise(const std::string& action, const std::string& path) const
+  {
+    throw std::runtime_error("cannot " + action + " '" + path +
+                             "': " + (m_first.empty() ? "GDAL gives no reason" : m_first));
+  }
+
+ private:
+  static void CPL_STDCALL collect(CPLErr level, CPLErrorNum, const char* message)
+  {
+    auto* self = static_cast<GdalErrors*>(CPLGetErrorHandlerUserData());
+    if (level < CE_Failure || self->m_failed) return;
+    self->m_failed = true;
+    self->m_first = message;
+    for (char& c : self->m_first)
+      if (c == '\n') c = ' ';
+  }
+
+  bool m_failed = false;
+  std::string m_first;
+};
+
+}  // namespace mrpt_mapconv::grid

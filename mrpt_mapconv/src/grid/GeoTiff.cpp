@@ -1,0 +1,160 @@
+#include <cpl_string.h>
+#include <gdal_priv.h>
+#include <mrpt_mapconv/grid/FileIo.h>
+#include <mrpt_mapconv/grid/GeoTiff.h>
+
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <optional>
+
+#include "GdalErrors.h"
+
+namespace mrpt_mapconv::grid
+{
+namespace
+{
+constexpr float kNoData = std::numeric_limits<float>::quiet_NaN();
+
+struct CloseDataset
+{
+  void operator()(GDALDataset* dataset) const { GDALClose(dataset); }
+};
+using Dataset = std::unique_ptr<GDALDataset, CloseDataset>;
+
+void checkBands(const std::string& path, const std::vector<NamedLayer>& bands)
+{
+  if (bands.empty()) throw std::invalid_argument("GeoTIFF '" + path + "': no layers given");
+  for (const NamedLayer& band : bands)
+  {
+    if (band.layer->frame().empty())
+      throw std::invalid_argument("GeoTIFF '" + path + "': layer '" + band.name + "' is empty");
+    if (band.layer->frame() != bands.front().layer->frame())
+      throw std::invalid_argument("GeoTIFF '" + path + "': layer '" + band.name +
+                                  "' is on another frame than '" + bands.front().name + "'");
+  }
+}
+
+Dataset createDataset(const std::string& path, const GridFrame& frame, std::size_t bands)
+{
+  GDALAllRegister();
+  GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
+  if (!driver) return {};
+  CPLStringList options;
+  options.SetNameValue("COMPRESS", "DEFLATE");
+  options.SetNameValue("PREDICTOR", "3");
+  options.SetNameValue("ZLEVEL", "4");
+  options.SetNameValue("INTERLEAVE", "BAND");
+  options.SetNameValue("BLOCKYSIZE", "32");
+  options.SetNameValue("BIGTIFF", "IF_SAFER");
+  return Dataset(driver->Create(path.c_str(), frame.width, frame.height, static_cast<int>(bands),
+                                GDT_Float32, options.List()));
+}
+
+bool writeHeader(GDALDataset& dataset, const GridFrame& frame)
+{
+  double transform[6] = {frame.xMin(), frame.resolution, 0, frame.yMax(), 0, -frame.resolution};
+  return dataset.SetGeoTransform(transform) == CE_None;
+}
+
+bool writeBand(GDALRasterBand& target, const NamedLayer& band)
+{
+  target.SetDescription(band.name.c_str());
+  if (target.SetNoDataValue(kNoData) != CE_None) return false;
+  const GridFrame& frame = band.layer->frame();
+  std::vector<float> row(static_cast<std::size_t>(frame.width));  // GDAL asks for mutable memory
+  for (int line = 0; line < frame.height; ++line)
+  {
+    std::copy_n(band.layer->row(frame.height - 1 - line), frame.width, row.begin());
+    if (target.RasterIO(GF_Write, 0, line, frame.width, 1, row.data(), frame.width, 1, GDT_Float32,
+                        0, 0, nullptr) != CE_None)
+      return false;
+  }
+  return true;
+}
+
+GDALRasterBand& findBand(GDALDataset& dataset, const std::string& path, const std::string& name)
+{
+  std::string names;
+  for (int i = 1; i <= dataset.GetRasterCount(); ++i)
+  {
+    GDALRasterBand* band = dataset.GetRasterBand(i);
+    if (band->GetDescription() == name) return *band;
+    names += (names.empty() ? "'" : ", '") + std::string(band->GetDescription()) + "'";
+  }
+  throw std::runtime_error("cannot read '" + path + "': it has no band '" + name + "', only " +
+                           (names.empty() ? "none" : names));
+}
+
+/** The integer key at `metres`, if there is one (to a ten-thousandth of a cell). */
+std::optional<std::int32_t> keyAt(double metres, double resolution)
+{
+  const double cells = metres / resolution;
+  const double key = std::round(cells);
+  if (!(std::abs(key) < 1e9) || std::abs(cells - key) > 1e-4) return std::nullopt;
+  return static_cast<std::int32_t>(key);
+}
+
+GridFrame readFrame(GDALDataset& dataset, const std::string& path)
+{
+  double t[6];
+  if (dataset.GetGeoTransform(t) != CE_None)
+    throw std::runtime_error("cannot read '" + path + "': it has no geotransform");
+  if (!(t[1] > 0) || t[2] != 0 || t[4] != 0 || std::abs(t[5] + t[1]) > 1e-9 * t[1])
+    throw std::runtime_error("cannot read '" + path +
+                             "': its cells must be square and north up, not rotated");
+  const auto x0 = keyAt(t[0], t[1]), yEnd = keyAt(t[3], t[1]);
+  if (!x0 || !yEnd)
+    throw std::runtime_error("cannot read '" + path + "': its corner (" + std::to_string(t[0]) +
+                             ", " + std::to_string(t[3]) +
+                             ") must lie on a multiple of the cell size " + std::to_string(t[1]));
+  const int height = dataset.GetRasterYSize();
+  return {t[1], *x0, *yEnd - height, dataset.GetRasterXSize(), height};
+}
+
+/** Turns a file's own no-data value into NaN. */
+void clearNoData(Layer<float>& layer, GDALRasterBand& band)
+{
+  int has = 0;
+  const auto noData = static_cast<float>(band.GetNoDataValue(&has));
+  if (has) std::replace(layer.cells().begin(), layer.cells().end(), noData, kNoData);
+}
+}  // namespace
+
+void writeGeoTiff(const std::string& path, const std::vector<NamedLayer>& bands)
+{
+  checkBands(path, bands);
+  const GridFrame& frame = bands.front().layer->frame();
+
+  writeFile(path, {});  // gives the system's own reason where GDAL only says that it failed
+  const GdalErrors errors;
+  Dataset dataset = createDataset(path, frame, bands.size());
+  if (!dataset || !writeHeader(*dataset, frame)) errors.raise("write", path);
+  for (std::size_t i = 0; i < bands.size(); ++i)
+    if (!writeBand(*dataset->GetRasterBand(static_cast<int>(i) + 1), bands[i]))
+      errors.raise("write", path);
+  dataset->FlushCache();
+  dataset.reset();
+  errors.check("write", path);
+}
+
+Layer<float> readGeoTiffBand(const std::string& path, const std::string& bandName)
+{
+  const GdalErrors errors;
+  GDALAllRegister();
+  const Dataset dataset(static_cast<GDALDataset*>(
+      GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, nullptr,
+                 nullptr, nullptr)));
+  if (!dataset) errors.raise("read", path);
+  GDALRasterBand& band = findBand(*dataset, path, bandName);
+  Layer<float> layer(readFrame(*dataset, path), kNoData);
+  const GridFrame& frame = layer.frame();
+  for (int line = 0; line < frame.height; ++line)
+    if (band.RasterIO(GF_Read, 0, line, frame.width, 1, layer.row(frame.height - 1 - line),
+                      frame.width, 1, GDT_Float32, 0, 0, nullptr) != CE_None)
+      errors.raise("read", path);
+  clearNoData(layer, band);
+  return layer;
+}
+
+}  // namespace mrpt_mapconv::grid

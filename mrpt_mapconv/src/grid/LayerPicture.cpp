@@ -1,0 +1,194 @@
+#include <mrpt_mapconv/grid/FileIo.h>
+#include <mrpt_mapconv/grid/LayerPicture.h>
+#include <mrpt_mapconv/grid/OccupancyCell.h>
+
+#include <algorithm>
+#include <fstream>
+#include <stdexcept>
+
+#include "PictureAxes.h"
+#include "PictureLegend.h"
+#include "PictureRaster.h"
+
+namespace mrpt_mapconv::grid
+{
+namespace
+{
+using namespace picture;
+
+/** The map's pixels and what explains them. */
+struct Content
+{
+  Raster raster;
+  std::vector<LegendItem> legend;
+  bool noData = false;
+};
+
+void addRange(Content& content, const Metrics& metrics, const ColorRange& range,
+              const std::string& unit, TColor (*colorOf)(double))
+{
+  content.noData = range.empty;
+  if (!range.empty) content.legend.push_back(colorBar(metrics, range, unit, colorOf));
+  content.legend.push_back(swatch(metrics, kNoDataColor, "no data"));
+  if (range.clippedLow() || range.clippedHigh())
+    content.legend.push_back(
+        note(metrics, std::string("colours cut at ") +
+                          (range.clippedLow() && range.clippedHigh() ? "2 % and 98 %"
+                           : range.clippedLow()                      ? "2 %"
+                                                                     : "98 %") +
+                          " of the cells; values from " + number(range.dataMin, 2) + " to " +
+                          number(range.dataMax, 2) + " " + unit));
+}
+
+Content heightContent(const Layer<float>& layer, const std::string& unit, const Zoom& zoom,
+                      const Metrics& metrics)
+{
+  const ColorRange range = heightRange(layer);
+  Content content;
+  content.raster = rasterOfHeights(layer, range, zoom);
+  addRange(content, metrics, range, unit, heightColor);
+  return content;
+}
+
+Content slopeContent(const Layer<float>& layer, const std::string& unit, const Zoom& zoom,
+                     const Metrics& metrics)
+{
+  const ColorRange range = slopeRange(layer);
+  Content content;
+  content.raster = rasterOfSlopes(layer, range, zoom);
+  addRange(content, metrics, range, unit, slopeColor);
+  return content;
+}
+
+Content occupancyContent(const Layer<float>& layer, const Layer<float>* aerial, const Zoom& zoom,
+                         const Metrics& metrics)
+{
+  Content content;
+  content.raster = rasterOfOccupancy(layer, aerial, zoom);
+  content.noData = std::none_of(layer.cells().begin(), layer.cells().end(),
+                                [](float value) { return isFree(value) || isOccupied(value); });
+  content.legend = {swatch(metrics, kFreeColor, "free"),
+                    swatch(metrics, kOccupiedColor, "occupied"),
+                    swatch(metrics, kUnknownColor, "unknown")};
+  if (aerial)
+    content.legend.push_back(swatch(metrics, kSteepColor, "too steep (free for a flying robot)"));
+  return content;
+}
+
+Content contentOf(const Layer<float>& layer, const PictureStyle& style, const Layer<float>* aerial,
+                  const Zoom& zoom, const Metrics& metrics)
+{
+  switch (style.kind)
+  {
+    case PictureKind::Slope:
+      return slopeContent(layer, style.unit, zoom, metrics);
+    case PictureKind::Occupancy:
+      return occupancyContent(layer, aerial, zoom, metrics);
+    case PictureKind::Height:
+      break;
+  }
+  return heightContent(layer, style.unit, zoom, metrics);
+}
+
+/** "60 x 40 cells of 0.1 m; corners (-1.50, 2.00) and (4.50, 6.00) m" */
+std::string describe(const GridFrame& frame)
+{
+  const int decimals = std::max(2, decimalsOf(frame.resolution));
+  const auto corner = [decimals](double x, double y)
+  { return "(" + number(x, decimals) + ", " + number(y, decimals) + ")"; };
+  std::string cell = number(frame.resolution, 6);
+  cell.erase(cell.find_last_not_of('0') + 1);
+  if (cell.back() == '.') cell.pop_back();
+  return std::to_string(frame.width) + " x " + std::to_string(frame.height) + " cells of " + cell +
+         " m, corners " + corner(frame.xMin(), frame.yMin()) + " and " +
+         corner(frame.xMax(), frame.yMax()) + " m";
+}
+
+void drawNoData(Canvas& canvas, int x, int y, int width, int height)
+{
+  const Metrics& m = canvas.metrics();
+  const std::string text = "no data";
+  const int textWidth = m.textWidth(text, Font::Title), textHeight = m.textHeight(Font::Title);
+  if (textWidth > width || textHeight > height) return;  // the legend says it, too
+  canvas.text(x + (width - textWidth) / 2, y + (height - textHeight) / 2, text, kInk, Font::Title);
+}
+
+void checkLayers(const Layer<float>& layer, const Layer<float>* aerial)
+{
+  if (layer.frame().empty()) throw std::invalid_argument("picture: the layer has no cells");
+  if (aerial && aerial->frame() != layer.frame())
+    throw std::invalid_argument("picture: the aerial layer is on another frame than the layer");
+}
+
+bool endsWith(const std::string& text, const std::string& end)
+{
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+/** Whether the file ends as every complete PNG does: by the checksum of its IEND chunk. */
+bool isCompletePng(const std::string& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  char tail[8] = {};
+  file.seekg(-static_cast<std::streamoff>(sizeof(tail)), std::ios::end);
+  file.read(tail, sizeof(tail));
+  return file && std::string(tail, sizeof(tail)) == "IEND\xAE\x42\x60\x82";
+}
+}  // namespace
+
+mrpt::img::CImage drawLayer(const Layer<float>& layer, const PictureStyle& style,
+                            const Layer<float>* aerial)
+{
+  checkLayers(layer, aerial);
+  const Zoom zoom = zoomFor(layer.frame());
+  const double pixelsPerCell = zoom.pixelsPerCell();
+  const int longSide =
+      static_cast<int>(std::max(layer.frame().width, layer.frame().height) * pixelsPerCell);
+  constexpr int kLargePicture = 1500;  // seen as a whole on a screen, it is shown at half its size
+  const Metrics m(longSide > kLargePicture ? 2 : 1);
+  const Content content = contentOf(layer, style, aerial, zoom, m);
+  const Axes axes(m, layer.frame(), pixelsPerCell);
+  const std::string description = describe(layer.frame());
+
+  const int margin = m.of(24), gap = m.of(14);
+  const int mapWidth = content.raster.width, mapHeight = content.raster.height;
+  int inner = std::max({axes.leftMargin() + mapWidth + axes.rightMargin(), m.textWidth(description),
+                        m.textWidth(style.title, Font::Title), m.of(520)});
+  for (const LegendItem& item : content.legend) inner = std::max(inner, item.width);
+
+  std::vector<LegendItem> items = content.legend;
+  items.push_back(scaleBar(m, pixelsPerCell / layer.frame().resolution, m.of(160)));
+  const Legend legend(m, std::move(items), inner);
+
+  const int titleY = margin;
+  const int descriptionY = titleY + m.textHeight(Font::Title) + m.of(6);
+  const int mapY = descriptionY + 5 * m.textHeight() / 2 + 2 * gap;
+  const int legendY = mapY + mapHeight + axes.bottomMargin() + m.of(20);
+  const int axesWidth = axes.leftMargin() + mapWidth + axes.rightMargin();
+  const int mapX = margin + (inner - axesWidth) / 2 + axes.leftMargin();
+
+  Canvas canvas(inner + 2 * margin, legendY + legend.height() + margin, m);
+  canvas.text(margin, titleY, style.title, kInk, Font::Title);
+  canvas.text(margin, descriptionY, description, kFaintInk);
+  canvas.raster(mapX, mapY, content.raster);
+  axes.draw(canvas, mapX, mapY, mapWidth, mapHeight);
+  if (content.noData) drawNoData(canvas, mapX, mapY, mapWidth, mapHeight);
+  legend.draw(canvas, margin, legendY);
+  return canvas.image();
+}
+
+void writeLayerPng(const std::string& path, const Layer<float>& layer, const PictureStyle& style,
+                   const Layer<float>* aerial)
+{
+  if (!endsWith(path, ".png"))
+    throw std::invalid_argument("picture '" + path + "': the name must end in .png");
+  const mrpt::img::CImage image = drawLayer(layer, style, aerial);
+  writeFile(path, {});  // gives the system's own reason; MRPT only says whether it worked
+  if (!image.saveToFile(path) || !isCompletePng(path))
+  {
+    writeFile(path, std::string(1U << 16U, '\0'));  // most likely the disk is full: let it say so
+    throw std::runtime_error("cannot write '" + path + "': the PNG is incomplete");
+  }
+}
+
+}  // namespace mrpt_mapconv::grid

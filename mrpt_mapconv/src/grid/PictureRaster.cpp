@@ -1,0 +1,107 @@
+#include "PictureRaster.h"
+
+#include <mrpt_mapconv/grid/OccupancyCell.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace mrpt_mapconv::grid::picture
+{
+namespace
+{
+int ceilDiv(int a, int b) { return (a + b - 1) / b; }
+
+/** Builds a raster from `colorOf(x0, x1, y0, y1)`: the colour of a block of cells. */
+template <class ColorOf>
+Raster rasterize(const GridFrame& frame, const Zoom& zoom, ColorOf colorOf)
+{
+  const int columns = ceilDiv(frame.width, zoom.reduce);
+  const int rows = ceilDiv(frame.height, zoom.reduce);
+  Raster out{columns * zoom.enlarge, rows * zoom.enlarge, {}};
+  out.pixels.reserve(static_cast<std::size_t>(out.width) * static_cast<std::size_t>(out.height));
+  std::vector<TColor> line(static_cast<std::size_t>(out.width));
+  for (int r = rows - 1; r >= 0; --r)
+  {
+    const int y0 = r * zoom.reduce, y1 = std::min(y0 + zoom.reduce, frame.height);
+    for (int c = 0; c < columns; ++c)
+    {
+      const int x0 = c * zoom.reduce, x1 = std::min(x0 + zoom.reduce, frame.width);
+      std::fill_n(line.begin() + c * zoom.enlarge, zoom.enlarge, colorOf(x0, x1, y0, y1));
+    }
+    for (int i = 0; i < zoom.enlarge; ++i)
+      out.pixels.insert(out.pixels.end(), line.begin(), line.end());
+  }
+  return out;
+}
+}  // namespace
+
+Zoom zoomFor(const GridFrame& frame)
+{
+  constexpr int kLeast = 800, kMost = 2400;
+  const int side = std::max(frame.width, frame.height);
+  if (side > kMost) return {1, ceilDiv(side, kMost)};
+  return {ceilDiv(kLeast, side), 1};
+}
+
+Raster rasterOfHeights(const Layer<float>& layer, const ColorRange& range, const Zoom& zoom)
+{
+  return rasterize(layer.frame(), zoom,
+                   [&](int x0, int x1, int y0, int y1)
+                   {
+                     double sum = 0;
+                     int count = 0;
+                     for (int y = y0; y < y1; ++y)
+                       for (int x = x0; x < x1; ++x)
+                         if (const float value = layer.at(x, y); std::isfinite(value))
+                         {
+                           sum += static_cast<double>(value);
+                           ++count;
+                         }
+                     return count > 0 ? heightColor(range.position(sum / count)) : kNoDataColor;
+                   });
+}
+
+Raster rasterOfSlopes(const Layer<float>& layer, const ColorRange& range, const Zoom& zoom)
+{
+  return rasterize(layer.frame(), zoom,
+                   [&](int x0, int x1, int y0, int y1)
+                   {
+                     float largest = -std::numeric_limits<float>::infinity();
+                     for (int y = y0; y < y1; ++y)
+                       for (int x = x0; x < x1; ++x)
+                         if (const float value = layer.at(x, y); std::isfinite(value))
+                           largest = std::max(largest, value);
+                     return std::isfinite(largest)
+                                ? slopeColor(range.position(static_cast<double>(largest)))
+                                : kNoDataColor;
+                   });
+}
+
+Raster rasterOfOccupancy(const Layer<float>& layer, const Layer<float>* aerial, const Zoom& zoom)
+{
+  enum Look
+  {
+    Unknown,
+    Free,
+    Steep,
+    Occupied
+  };
+  const auto lookOf = [&](int x, int y)
+  {
+    const float value = layer.at(x, y);
+    if (isOccupied(value)) return aerial && isFree(aerial->at(x, y)) ? Steep : Occupied;
+    return isFree(value) ? Free : Unknown;
+  };
+  const TColor colors[] = {kUnknownColor, kFreeColor, kSteepColor, kOccupiedColor};
+  return rasterize(layer.frame(), zoom,
+                   [&](int x0, int x1, int y0, int y1)
+                   {
+                     Look look = Unknown;
+                     for (int y = y0; y < y1; ++y)
+                       for (int x = x0; x < x1; ++x) look = std::max(look, lookOf(x, y));
+                     return colors[look];
+                   });
+}
+
+}  // namespace mrpt_mapconv::grid::picture

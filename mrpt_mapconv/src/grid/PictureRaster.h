@@ -1,0 +1,37 @@
+#pragma once
+
+#include <mrpt_mapconv/grid/Layer.h>
+
+#include <vector>
+
+#include "PictureColors.h"
+
+namespace mrpt_mapconv::grid::picture
+{
+/** How cells become pixels: each is enlarged, or several share one. One of the two is 1. */
+struct Zoom
+{
+  int enlarge = 1;  //!< pixels per cell
+  int reduce = 1;   //!< cells per pixel
+
+  double pixelsPerCell() const { return static_cast<double>(enlarge) / reduce; }
+};
+/** At least 800 and, beyond 2400 cells, at most 2400 pixels on the long side. */
+Zoom zoomFor(const GridFrame& frame);
+
+/** Pixels of a map, the first row the highest y. */
+struct Raster
+{
+  int width = 0, height = 0;
+  std::vector<TColor> pixels;
+};
+
+/** Colours averages of cells (reduced) or cells. */
+Raster rasterOfHeights(const Layer<float>& layer, const ColorRange& range, const Zoom& zoom);
+/** Colours the largest of the cells that share a pixel. */
+Raster rasterOfSlopes(const Layer<float>& layer, const ColorRange& range, const Zoom& zoom);
+/** Of the cells that share a pixel: occupied before too steep before free before unknown.
+ * \param aerial may be null: nothing is "too steep" then */
+Raster rasterOfOccupancy(const Layer<float>& layer, const Layer<float>* aerial, const Zoom& zoom);
+
+}  // namespace mrpt_mapconv::grid::picture

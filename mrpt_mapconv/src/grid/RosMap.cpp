@@ -1,0 +1,80 @@
+#include <mrpt_mapconv/grid/FileIo.h>
+#include <mrpt_mapconv/grid/OccupancyCell.h>
+#include <mrpt_mapconv/grid/RosMap.h>
+
+#include <cctype>
+#include <charconv>
+#include <stdexcept>
+
+namespace mrpt_mapconv::grid
+{
+namespace
+{
+char pixel(float occupancy)
+{
+  if (isOccupied(occupancy)) return static_cast<char>(0);
+  return static_cast<char>(isFree(occupancy) ? 254 : 205);
+}
+
+std::string pgm(const Layer<float>& occupancy)
+{
+  const GridFrame& frame = occupancy.frame();
+  std::string bytes =
+      "P5\n" + std::to_string(frame.width) + " " + std::to_string(frame.height) + "\n255\n";
+  bytes.reserve(bytes.size() + frame.size());
+  for (std::int32_t iy = frame.height - 1; iy >= 0; --iy)
+    for (std::int32_t ix = 0; ix < frame.width; ++ix) bytes += pixel(occupancy.at(ix, iy));
+  return bytes;
+}
+
+/** The shortest decimal number that reads back as the same double. */
+std::string exact(double value)
+{
+  char text[32];
+  const auto end = std::to_chars(std::begin(text), std::end(text), value + 0.0).ptr;
+  return {text, end};
+}
+
+/** A string as YAML takes it: as it is if it is simple, else in quotes. */
+std::string yamlString(const std::string& text)
+{
+  const auto simple = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0; };
+  const auto harmless = [&](char c) { return simple(c) || c == '.' || c == '_' || c == '-'; };
+  if (!text.empty() && simple(text.front()) && std::all_of(text.begin(), text.end(), harmless))
+    return text;
+  std::string out = "\"";
+  for (const char c : text)
+  {
+    if (c == '"' || c == '\\') out += '\\';
+    out += c;
+  }
+  return out + '"';
+}
+
+std::string yaml(const std::string& imageName, const GridFrame& frame)
+{
+  return "image: " + yamlString(imageName) +
+         "\n"
+         "mode: trinary\n"
+         "resolution: " +
+         exact(frame.resolution) +
+         "\n"
+         "origin: [" +
+         exact(frame.xMin()) + ", " + exact(frame.yMin()) +
+         ", 0]\n"
+         "negate: 0\n"
+         "occupied_thresh: 0.65\n"
+         "free_thresh: 0.196\n";
+}
+}  // namespace
+
+void writeRosMap(const std::string& pgmPath, const std::string& yamlPath,
+                 const std::string& imageName, const Layer<float>& occupancy)
+{
+  if (occupancy.frame().empty())
+    throw std::invalid_argument("ROS map '" + yamlPath + "': the layer has no cells");
+  writeFile(pgmPath, pgm(occupancy));
+  writeFile(yamlPath, yaml(imageName, occupancy.frame()));
+}
+
+}  // namespace mrpt_mapconv::grid
