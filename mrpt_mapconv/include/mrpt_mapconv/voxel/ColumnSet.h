@@ -1,0 +1,48 @@
+#pragma once
+
+#include <mrpt_mapconv/grid/GridFrame.h>
+#include <mrpt_mapconv/voxel/ColumnBlock.h>
+
+#include <cstddef>
+#include <unordered_map>
+
+namespace mrpt_mapconv::voxel
+{
+/** A set of columns, kept as one mask per block: what a scan has changed, or a whole map. */
+class ColumnSet
+{
+ public:
+  struct BlockKeyHash
+  {
+    std::size_t operator()(const BlockKey& k) const
+    {
+      return std::hash<std::uint64_t>()(static_cast<std::uint64_t>(static_cast<std::uint32_t>(k.x))
+                                            << 32 |
+                                        static_cast<std::uint32_t>(k.y));
+    }
+  };
+  using Blocks = std::unordered_map<BlockKey, ColumnMask, BlockKeyHash>;
+
+  /** All columns of a frame. */
+  static ColumnSet of(const grid::GridFrame& frame);
+
+  /** Adds the column with keys (kx, ky). */
+  void insert(std::int32_t kx, std::int32_t ky);
+  bool contains(std::int32_t kx, std::int32_t ky) const;
+  bool empty() const { return m_blocks.empty(); }
+  std::size_t size() const;  //!< number of columns
+  void clear() { m_blocks.clear(); }
+  const Blocks& blocks() const { return m_blocks; }
+
+  /** All columns within Chebyshev distance `radius` of one in the set. */
+  ColumnSet dilated(std::int32_t radius) const;
+  /** The columns that also lie in the frame. */
+  ColumnSet clipped(const grid::GridFrame& frame) const;
+  /** The smallest frame that holds the set; empty for an empty set. */
+  grid::GridFrame bounds(double resolution) const;
+
+ private:
+  Blocks m_blocks;
+};
+
+}  // namespace mrpt_mapconv::voxel

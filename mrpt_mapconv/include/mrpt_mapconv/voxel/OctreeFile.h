@@ -1,0 +1,26 @@
+#pragma once
+
+#include <iosfwd>
+#include <memory>
+#include <string>
+
+namespace octomap
+{
+class AbstractOcTree;
+}
+
+namespace mrpt_mapconv::voxel
+{
+/** Reads an OctoMap file: `.bt` (binary) or `.ot` (full), told apart by their first line.
+ *
+ * The node structure is checked against the file's size and against the number of nodes that the
+ * header promises before OctoMap itself reads it, so a damaged file is an error and not half a map.
+ * \exception std::runtime_error naming the file and what is wrong with it: missing, empty, not an
+ * OctoMap file, unknown tree type, bad resolution, truncated, or a node count that does not fit */
+std::unique_ptr<octomap::AbstractOcTree> readOctreeFile(const std::string& path);
+
+/** The same from memory; `name` stands for the file in messages. */
+std::unique_ptr<octomap::AbstractOcTree> readOctree(const std::string& bytes,
+                                                    const std::string& name);
+
+}  // namespace mrpt_mapconv::voxel

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <mrpt_mapconv/voxel/ColumnBlock.h>
+
+#include <array>
+#include <cstdint>
+#include <optional>
+
+namespace mrpt_mapconv::voxel
+{
+/** What is known of a voxel. */
+enum class VoxelState : std::uint8_t
+{
+  Unknown,
+  Free,
+  Occupied
+};
+
+/** A box of voxel keys, both corners included. */
+struct KeyBox
+{
+  std::array<std::int32_t, 3> min, max;
+};
+
+/** The one interface through which every voxel map is read.
+ *
+ * Voxels are addressed by signed integer keys: voxel k covers [k·resolution, (k+1)·resolution) on
+ * each axis (an OctoMap key minus 32768). Reading does not change the map, and several threads may
+ * read blocks at once.
+ */
+class VoxelSource
+{
+ public:
+  virtual ~VoxelSource() = default;
+  /** Size of the finest voxel [m]. */
+  virtual double resolution() const = 0;
+  /** Bounding box of all known voxels; nothing if no voxel is known. */
+  virtual std::optional<KeyBox> bounds() const = 0;
+  /** Marks all known voxels of the block's wanted columns, after ColumnBlock::start(). */
+  virtual void read(ColumnBlock& block) const = 0;
+};
+
+}  // namespace mrpt_mapconv::voxel

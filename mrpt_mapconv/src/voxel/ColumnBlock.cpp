@@ -1,0 +1,49 @@
+#include <mrpt_mapconv/voxel/ColumnBlock.h>
+
+#include <algorithm>
+
+namespace mrpt_mapconv::voxel
+{
+namespace
+{
+/** Rounds down to a multiple of 32, so that an octree node of up to 32 voxels lies in one word. */
+std::int32_t floorTo32(std::int32_t z) { return z & ~31; }
+
+/** `count` set bits (1 … 64) from bit `first` on. */
+std::uint64_t bits(std::int32_t first, std::int32_t count)
+{
+  return (~std::uint64_t{0} >> (64 - count)) << first;
+}
+}  // namespace
+
+void ColumnBlock::start(BlockKey key, const ColumnMask& wanted)
+{
+  m_key = key;
+  m_wanted = wanted;
+  m_zMin = 0;
+  m_words = 0;
+}
+
+void ColumnBlock::setHeight(std::int32_t zBegin, std::int32_t zEnd)
+{
+  m_zMin = floorTo32(zBegin);
+  m_words = (zEnd - m_zMin + 63) / 64;
+  const auto size = static_cast<std::size_t>(m_words) * kBlockColumns;
+  m_free.assign(size, 0);
+  m_occupied.assign(size, 0);
+}
+
+void ColumnBlock::markSlab(std::int32_t zBegin, std::int32_t zEnd, bool occupied)
+{
+  auto& plane = occupied ? m_occupied : m_free;
+  for (std::int32_t z = zBegin - m_zMin; z < zEnd - m_zMin;)
+  {
+    const std::int32_t count = std::min(64 - (z & 63), zEnd - m_zMin - z);
+    const std::uint64_t voxels = bits(z & 63, count);
+    std::uint64_t* word = plane.data() + static_cast<std::size_t>(z >> 6) * kBlockColumns;
+    for (std::int32_t c = 0; c < kBlockColumns; ++c) word[c] |= voxels;
+    z += count;
+  }
+}
+
+}  // namespace mrpt_mapconv::voxel

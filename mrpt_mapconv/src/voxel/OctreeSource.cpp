@@ -1,0 +1,254 @@
+#include <mrpt_mapconv/voxel/OctreeSource.h>
+#include <octomap/ColorOcTree.h>
+#include <octomap/OcTree.h>
+#include <octomap/OcTreeStamped.h>
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace mrpt_mapconv::voxel
+{
+namespace
+{
+constexpr std::int32_t kKeyOffset = 32768;  // OctoMap's key of coordinate 0
+constexpr std::int32_t kTreeSide = 65536;   // voxels along the root node's side
+
+/** The children of a node, read from it once: OctoMap's own accessors test for the array of
+ * children anew at every call, which is a good part of the time of a walk over the leaves. */
+template <class Node>
+class Children : private Node
+{
+ public:
+  explicit Children(const Node* node) : m_array(node->*(&Children::children)) {}
+  /** Whether there may be any; an array without a child is possible. */
+  explicit operator bool() const { return m_array != nullptr; }
+  /** Child i, or null. */
+  const Node* operator[](unsigned i) const { return static_cast<const Node*>(m_array[i]); }
+  bool any() const
+  {
+    if (m_array)
+      for (unsigned i = 0; i < 8; ++i)
+        if (m_array[i]) return true;
+    return false;
+  }
+
+ private:
+  octomap::AbstractOcTreeNode* const* m_array;
+};
+
+/** Finds the bounding box of all leaves. A node inside the box found so far adds nothing and is not
+ * entered, so only the map's rim is visited. Corners in OctoMap's unsigned keys, both included. */
+template <class Tree>
+class BoundsSearch
+{
+ public:
+  using Node = typename Tree::NodeType;
+
+  explicit BoundsSearch(const Tree& tree)
+  {
+    if (tree.getRoot()) visit(tree.getRoot(), {0, 0, 0}, kTreeSide);
+  }
+  std::optional<KeyBox> box() const
+  {
+    if (m_box.min[0] > m_box.max[0]) return std::nullopt;
+    KeyBox box = m_box;
+    for (std::size_t i = 0; i < 3; ++i)
+    {
+      box.min[i] -= kKeyOffset;
+      box.max[i] -= kKeyOffset;
+    }
+    return box;
+  }
+
+ private:
+  using Corner = std::array<std::int32_t, 3>;
+
+  void visit(const Node* node, const Corner& corner, std::int32_t size)
+  {
+    bool inside = true;
+    for (std::size_t i = 0; i < 2; ++i)
+      inside &= corner[i] >= m_box.min[i] && corner[i] + size - 1 <= m_box.max[i];
+    if (inside) return;
+    const Children<Node> children(node);
+    if (size == 1 || !children.any())
+    {
+      for (std::size_t i = 0; i < 3; ++i)
+      {
+        m_box.min[i] = std::min(m_box.min[i], corner[i]);
+        m_box.max[i] = std::max(m_box.max[i], corner[i] + size - 1);
+      }
+      return;
+    }
+    const std::int32_t half = size / 2;
+    // opposite corners first: they widen the box soonest
+    for (const unsigned i : {0u, 7u, 3u, 4u, 5u, 2u, 1u, 6u})
+      if (const Node* child = children[i])
+        visit(child,
+              {corner[0] + (i & 1 ? half : 0), corner[1] + (i & 2 ? half : 0),
+               corner[2] + (i & 4 ? half : 0)},
+              half);
+  }
+
+  KeyBox m_box{{kTreeSide, kTreeSide, kTreeSide}, {-1, -1, -1}};
+};
+
+/** A node that lies within a block's columns, or covers them all. */
+template <class Node>
+struct StackedNode
+{
+  const Node* node;
+  std::int32_t z;     // OctoMap key of its lowest voxel
+  std::int32_t size;  // its side in voxels
+};
+
+/** Collects from below `node`, whose lowest voxel is z, what the block's columns at OctoMap keys
+ * (x, y) hold, from the lowest up: the nodes of the block's own size and leaves that are larger. */
+template <class Node>
+void collectStack(const Node* node, std::int32_t x, std::int32_t y, std::int32_t z,
+                  std::int32_t size, std::vector<StackedNode<Node>>& out)
+{
+  const Children<Node> children(node);
+  if (size == kBlockSide || !children.any())
+  {
+    out.push_back({node, z, size});
+    return;
+  }
+  const std::int32_t half = size / 2;
+  const unsigned column = (x & half ? 1u : 0u) + (y & half ? 2u : 0u);
+  for (unsigned up = 0; up < 2; ++up)
+    if (const Node* child = children[column + 4 * up])
+      collectStack(child, x, y, z + (up ? half : 0), half, out);
+}
+
+/** Marks the leaves below a node of the block's size. */
+template <class Tree>
+class BlockMarker
+{
+ public:
+  using Node = typename Tree::NodeType;
+
+  BlockMarker(const Tree& tree, ColumnBlock& block)
+      : m_block(block), m_occupiedFrom(tree.getOccupancyThresLog())
+  {
+    m_missing.setLogOdds(-std::numeric_limits<float>::infinity());
+    m_all = true;
+    for (const auto row : block.wanted()) m_all &= row == kFullRow;
+  }
+
+  /** The cube of `size`³ voxels with its lowest corner at column (x, y), signed z key z. */
+  template <std::int32_t size>
+  void mark(const Node* node, std::int32_t x, std::int32_t y, std::int32_t z)
+  {
+    if (!m_all && !wanted<size>(x, y)) return;
+    constexpr std::int32_t half = size / 2;
+    bool leaf = true;
+    if (const Children<Node> children(node); children)
+    {
+      if constexpr (size == 2)
+        leaf = !markOctet(children, x, y, z);
+      else
+        for (unsigned i = 0; i < 8; ++i)
+        {
+          const Node* child = children[i];
+          if (!child) continue;
+          leaf = false;
+          mark<half>(child, x + (i & 1 ? half : 0), y + (i & 2 ? half : 0), z + (i & 4 ? half : 0));
+        }
+    }
+    if (leaf) m_block.markCube<size>(x, y, z, isOccupied(node));
+  }
+
+ private:
+  /** As Tree::isNodeOccupied, with the threshold at hand. */
+  bool isOccupied(const Node* node) const { return node->getLogOdds() >= m_occupiedFrom; }
+
+  /** Marks the finest voxels below a node; false if there is none. */
+  bool markOctet(const Children<Node>& children, std::int32_t x, std::int32_t y, std::int32_t z)
+  {
+    // No branches: at the rim of what is known it is chance which voxels exist, and a wrongly
+    // foreseen branch costs more than looking at a stand-in for a missing voxel.
+    unsigned known = 0, occupied = 0;
+    for (unsigned i = 0; i < 8; ++i)
+    {
+      const Node* child = children[i];
+      known |= static_cast<unsigned>(child != nullptr) << i;
+      occupied |= static_cast<unsigned>(isOccupied(child ? child : &m_missing)) << i;
+    }
+    if (!known) return false;
+    m_block.markOctet(x, y, z, known & ~occupied, occupied);
+    return true;
+  }
+
+  template <std::int32_t size>
+  bool wanted(std::int32_t x, std::int32_t y) const
+  {
+    constexpr std::uint32_t side = size == kBlockSide ? kFullRow : (1u << (size % kBlockSide)) - 1;
+    std::uint32_t any = 0;
+    for (std::int32_t row = y; row < y + size; ++row)
+      any |= m_block.wanted()[static_cast<std::size_t>(row)];
+    return any >> x & side;
+  }
+
+  ColumnBlock& m_block;
+  float m_occupiedFrom;  // log-odds
+  Node m_missing;        // stands for a voxel that does not exist; not occupied
+  bool m_all;
+};
+}  // namespace
+
+template <class Tree>
+double OctreeSource<Tree>::resolution() const
+{
+  return m_tree.getResolution();
+}
+
+template <class Tree>
+std::optional<KeyBox> OctreeSource<Tree>::bounds() const
+{
+  return BoundsSearch<Tree>(m_tree).box();
+}
+
+template <class Tree>
+void OctreeSource<Tree>::read(ColumnBlock& block) const
+{
+  if (!m_tree.getRoot()) return;
+  const std::int32_t x = block.key().x * kBlockSide + kKeyOffset;
+  const std::int32_t y = block.key().y * kBlockSide + kKeyOffset;
+  if (x < 0 || y < 0 || x >= kTreeSide || y >= kTreeSide) return;
+
+  std::vector<StackedNode<typename Tree::NodeType>> stack;  // in ascending order of z
+  collectStack<typename Tree::NodeType>(m_tree.getRoot(), x, y, 0, kTreeSide, stack);
+  if (stack.empty()) return;
+
+  block.setHeight(stack.front().z - kKeyOffset, stack.back().z + stack.back().size - kKeyOffset);
+  BlockMarker<Tree> marker(m_tree, block);
+  for (const auto& [node, key, size] : stack)
+  {
+    const std::int32_t z = key - kKeyOffset;
+    if (size == kBlockSide)
+      marker.template mark<kBlockSide>(node, 0, 0, z);
+    else
+      block.markSlab(z, z + size, m_tree.isNodeOccupied(node));
+  }
+}
+
+template class OctreeSource<octomap::OcTree>;
+template class OctreeSource<octomap::ColorOcTree>;
+template class OctreeSource<octomap::OcTreeStamped>;
+
+std::unique_ptr<VoxelSource> makeOctreeSource(const octomap::AbstractOcTree& tree)
+{
+  if (const auto* plain = dynamic_cast<const octomap::OcTree*>(&tree))
+    return std::make_unique<OctreeSource<octomap::OcTree>>(*plain);
+  if (const auto* color = dynamic_cast<const octomap::ColorOcTree*>(&tree))
+    return std::make_unique<OctreeSource<octomap::ColorOcTree>>(*color);
+  if (const auto* stamped = dynamic_cast<const octomap::OcTreeStamped*>(&tree))
+    return std::make_unique<OctreeSource<octomap::OcTreeStamped>>(*stamped);
+  throw std::invalid_argument("octree type '" + tree.getTreeType() +
+                              "' holds no occupancy; OcTree, ColorOcTree or OcTreeStamped would");
+}
+
+}  // namespace mrpt_mapconv::voxel
