@@ -1,0 +1,64 @@
+#pragma once
+
+#include <mrpt_mapconv/freespace/ConversionParams.h>
+#include <mrpt_mapconv/freespace/Layers.h>
+#include <mrpt_mapconv/voxel/ColumnSet.h>
+#include <mrpt_mapconv/voxel/VoxelSource.h>
+
+namespace mrpt_mapconv::freespace
+{
+/** The frame of a voxel map: the xy bounding box, in keys, of all known voxels.
+ * \exception std::runtime_error if no voxel is known */
+grid::GridFrame frameOf(const voxel::VoxelSource& source);
+
+/** Converts a whole voxel map by free-space projection (Fredriksson et al. 2024, eqs. 1–8).
+ *
+ * \param source the voxel map
+ * \param params checked first
+ * \param threads number of threads; 0 = all cores
+ * \return the five layers on frameOf(source); all unknown if no free range is kept
+ * \exception std::invalid_argument for bad parameters
+ * \exception std::runtime_error for a map without any known voxel */
+Layers convert(const voxel::VoxelSource& source, const ConversionParams& params, int threads = 0);
+
+/** The columns whose layers can change when the given ones do: occupancy and steps reach 1 cell,
+ * slopes reach S_A. */
+voxel::ColumnSet columnsDependingOn(const voxel::ColumnSet& changed,
+                                    const ConversionParams& params);
+
+/** Layers that follow a voxel map while it changes.
+ *
+ * update() touches only the changed columns and what depends on them (occupancy: 1 cell around,
+ * slope: S_A around) and gives the same bits as a full conversion on the same frame. The frame
+ * grows by half its size when a column lies outside, so that laying out anew stays rare; exact()
+ * gives the layers on the map's exact bounding box.
+ */
+class IncrementalLayers
+{
+ public:
+  /** \exception std::invalid_argument for bad parameters */
+  explicit IncrementalLayers(const ConversionParams& params = {}, int threads = 0);
+
+  const ConversionParams& params() const { return m_params; }
+  /** Layers on the present frame, which holds every known voxel and some room around. */
+  const Layers& layers() const { return m_layers; }
+  /** Layers on the source's bounding box; empty layers if no voxel is known. */
+  Layers exact(const voxel::VoxelSource& source) const;
+
+  /** Converts everything anew on the source's bounding box; an empty map gives empty layers. */
+  void rebuild(const voxel::VoxelSource& source);
+  /** Converts everything anew on the given frame, which must hold every known voxel. */
+  void rebuild(const voxel::VoxelSource& source, const grid::GridFrame& frame);
+  /** Follows a change of the source in the columns `changed` (a superset is fine).
+   * \return true if the frame has changed */
+  bool update(const voxel::VoxelSource& source, const voxel::ColumnSet& changed);
+  /** Forgets everything: empty layers. */
+  void clear();
+
+ private:
+  ConversionParams m_params;
+  int m_threads;
+  Layers m_layers;
+};
+
+}  // namespace mrpt_mapconv::freespace

@@ -1,0 +1,186 @@
+#include "BlockConversion.h"
+
+#include <algorithm>
+
+namespace mrpt_mapconv::freespace
+{
+using voxel::kBlockSide;
+
+namespace
+{
+/** Calls visit(x, y) for every column in the mask, row by row. */
+template <class Visit>
+void forEachColumn(const voxel::ColumnMask& mask, const Visit& visit)
+{
+  for (std::int32_t y = 0; y < kBlockSide; ++y)
+    for (std::uint32_t row = mask[static_cast<std::size_t>(y)]; row; row &= row - 1)
+      visit(__builtin_ctz(row), y);
+}
+
+/** The smallest rectangle that holds a mask that is not empty. */
+BlockRect boundsOf(const voxel::ColumnMask& mask)
+{
+  BlockRect rect{0, 0, kBlockSide, 0};
+  std::uint32_t any = 0;
+  for (std::int32_t y = 0; y < kBlockSide; ++y)
+    if (const std::uint32_t row = mask[static_cast<std::size_t>(y)]; row)
+    {
+      any |= row;
+      rect.yBegin = std::min(rect.yBegin, y);
+      rect.yEnd = y + 1;
+    }
+  rect.xBegin = any ? __builtin_ctz(any) : 0;
+  rect.xEnd = any ? 32 - __builtin_clz(any) : 0;
+  return rect;
+}
+}  // namespace
+
+HeightPass::HeightPass(const voxel::VoxelSource& source, const ConversionParams& params,
+                       Layers& layers)
+    : m_source(source), m_layers(layers), m_spans(params.minRunVoxels(source.resolution()))
+{
+}
+
+void HeightPass::run(BlockJob& job)
+{
+  m_block.start(job.key, job.read);
+  m_source.read(m_block);
+  m_spans.start(m_block);
+  collectWalls(job, writeHeights(job));
+}
+
+/** Writes floor and ceiling of the columns to read. Returns those with a kept free range. */
+voxel::ColumnMask HeightPass::writeHeights(const BlockJob& job)
+{
+  const double res = m_layers.frame().resolution;
+  const BlockPlace place(job.key, m_layers.frame());
+  voxel::ColumnMask free{};
+  forEachColumn(job.read,
+                [&](std::int32_t x, std::int32_t y)
+                {
+                  const FreeSpan span = m_spans.span(y * kBlockSide + x);
+                  float& floor = m_layers.floor.at(place.x + x, place.y + y);
+                  float& ceiling = m_layers.ceiling.at(place.x + x, place.y + y);
+                  floor = ceiling = Layers::kNone;
+                  if (!span.valid()) return;
+                  floor = static_cast<float>(span.floor * res);
+                  ceiling = static_cast<float>(span.ceiling * res);
+                  free[static_cast<std::size_t>(y)] |= 1u << x;
+                });
+  return free;
+}
+
+/** Keeps the occupied runs of the columns that may have a free neighbour: one is seen in the block,
+ * or the column lies at the block's rim. All others are unknown whatever they hold. */
+void HeightPass::collectWalls(BlockJob& job, const voxel::ColumnMask& free)
+{
+  constexpr std::uint32_t rim = 0x80000001u;
+  const auto spread = [](std::uint32_t row) { return row | row << 1 | row >> 1; };
+  voxel::ColumnMask candidates{};
+  for (std::size_t y = 0; y < candidates.size(); ++y)
+  {
+    const bool first = y == 0, last = y + 1 == candidates.size();
+    const std::uint32_t near =
+        first || last ? voxel::kFullRow : rim | spread(free[y - 1] | free[y] | free[y + 1]);
+    candidates[y] = job.read[y] & ~free[y] & near;
+  }
+  job.walls.clear();
+  if (m_block.words() > 0)
+    forEachColumn(candidates, [&](std::int32_t x, std::int32_t y)
+                  { appendOccupiedRuns(m_block, y * kBlockSide + x, job.walls); });
+}
+
+OccupancyPass::OccupancyPass(const ConversionParams& params, Layers& layers)
+    : m_params(params),
+      m_layers(layers),
+      m_checkSteps(params.maxStep > 0),
+      m_maxStep(params.maxStepVoxels(layers.frame().resolution)),
+      m_inverseResolution(1.0 / layers.frame().resolution),
+      m_floors(params.slopeWindow),
+      m_slopeFilter(params.slopeWindow)
+{
+}
+
+void OccupancyPass::run(const BlockJob& job)
+{
+  m_floors.load(m_layers.floor, job.key);
+  writeAerial(job);
+  writeSlopeAndGround(job);
+}
+
+void OccupancyPass::writeAerial(const BlockJob& job)
+{
+  const BlockPlace place(job.key, m_layers.frame());
+  forEachColumn(job.read,
+                [&](std::int32_t x, std::int32_t y)
+                {
+                  const bool free = *m_floors.at(x, y) != FloorTile::kNoFloor;
+                  m_layers.aerial.at(place.x + x, place.y + y) =
+                      free ? grid::kFree : grid::kUnknown;
+                });
+  for (auto begin = job.walls.data(), last = begin + job.walls.size(); begin != last;)
+  {
+    auto end = begin;
+    while (end != last && end->column == begin->column) ++end;
+    const std::int32_t x = begin->column % kBlockSide, y = begin->column / kBlockSide;
+    m_layers.aerial.at(place.x + x, place.y + y) = wallOccupancy(place, x, y, begin, end);
+    begin = end;
+  }
+}
+
+/** Eqs. 5–8 for a cell without a kept free range, at column (x, y) of the block: the largest share
+ * of a free neighbour's range [floor, ceiling] that this column's occupied runs fill. */
+float OccupancyPass::wallOccupancy(const BlockPlace& place, std::int32_t x, std::int32_t y,
+                                   const OccupiedRun* begin, const OccupiedRun* end) const
+{
+  double best = 0;
+  bool blocked = false;
+  for (std::int32_t ny = y - 1; ny <= y + 1; ++ny)
+    for (std::int32_t nx = x - 1; nx <= x + 1; ++nx)
+    {
+      const std::int32_t floor = *m_floors.at(nx, ny);
+      if (floor == FloorTile::kNoFloor) continue;
+      const std::int32_t ceiling =
+          heightKey(m_layers.ceiling.at(place.x + nx, place.y + ny), m_inverseResolution);
+      std::int32_t overlap = 0;
+      for (const auto* run = begin; run != end; ++run)
+        overlap += std::max(0, std::min(run->end, ceiling) - std::max(run->begin, floor));
+      const double height = ceiling - floor;
+      const double share = overlap / height;
+      if (overlap == 0 || share < best) continue;
+      best = share;
+      blocked = overlap >= m_params.minOccupancy * height - 1e-9 * height;
+    }
+  return blocked ? static_cast<float>(best) : grid::kUnknown;
+}
+
+void OccupancyPass::writeSlopeAndGround(const BlockJob& job)
+{
+  m_slopeFilter.compute(m_floors, boundsOf(job.touched), m_slope);
+  const BlockPlace place(job.key, m_layers.frame());
+  forEachColumn(job.touched,
+                [&](std::int32_t x, std::int32_t y)
+                {
+                  const double slope = m_slope[static_cast<std::size_t>(y * kBlockSide + x)];
+                  const float aerial = m_layers.aerial.at(place.x + x, place.y + y);
+                  const bool steep =
+                      grid::isFree(aerial) &&
+                      (slope > m_params.maxSlope || (m_checkSteps && hasStep(m_floors.at(x, y))));
+                  m_layers.slope.at(place.x + x, place.y + y) = static_cast<float>(slope);
+                  m_layers.ground.at(place.x + x, place.y + y) = steep ? 1.0f : aerial;
+                });
+}
+
+/** Whether a floor differs from one of its 8 neighbours' by more than maxStep. */
+bool OccupancyPass::hasStep(const std::int32_t* floor) const
+{
+  for (std::int32_t dy = -1; dy <= 1; ++dy)
+    for (std::int32_t dx = -1; dx <= 1; ++dx)
+    {
+      const std::int32_t neighbour = floor[dy * m_floors.side() + dx];
+      if (neighbour != FloorTile::kNoFloor && std::abs(neighbour - *floor) > m_maxStep) return true;
+    }
+  return false;
+}
+
+}  // namespace mrpt_mapconv::freespace

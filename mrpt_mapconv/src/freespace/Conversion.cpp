@@ -1,0 +1,141 @@
+#include <mrpt_mapconv/freespace/Conversion.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "BlockConversion.h"
+#include "Parallel.h"
+
+namespace mrpt_mapconv::freespace
+{
+namespace
+{
+std::optional<grid::GridFrame> knownFrame(const voxel::VoxelSource& source)
+{
+  const auto box = source.bounds();
+  if (!box) return std::nullopt;
+  return grid::GridFrame{source.resolution(), box->min[0], box->min[1],
+                         box->max[0] - box->min[0] + 1, box->max[1] - box->min[1] + 1};
+}
+
+/** What a change of columns asks of each block: reading one cell around it (a neighbour's free
+ * range decides how occupied a wall is), slopes as far around as the window reaches. */
+std::vector<BlockJob> jobsFor(const voxel::ColumnSet& changed, const ConversionParams& params,
+                              const grid::GridFrame& frame)
+{
+  const auto read = changed.dilated(1).clipped(frame);
+  const auto touched = columnsDependingOn(changed, params).clipped(frame);
+  std::vector<BlockJob> jobs;
+  jobs.reserve(touched.blocks().size());
+  for (const auto& [key, mask] : touched.blocks())
+  {
+    BlockJob& job = jobs.emplace_back();
+    job.key = key;
+    job.touched = mask;
+    if (const auto it = read.blocks().find(key); it != read.blocks().end()) job.read = it->second;
+  }
+  return jobs;
+}
+
+/** Brings the layers up to date in the changed columns and what depends on them. Full conversion is
+ * "all columns changed". */
+void convertColumns(const voxel::VoxelSource& source, const voxel::ColumnSet& changed,
+                    const ConversionParams& params, int threads, Layers& layers)
+{
+  auto jobs = jobsFor(changed, params, layers.frame());
+  inParallel(jobs.size(), threads,
+             [&](std::size_t begin, std::size_t end)
+             {
+               HeightPass heights(source, params, layers);
+               for (std::size_t i = begin; i < end; ++i) heights.run(jobs[i]);
+             });
+  inParallel(jobs.size(), threads,
+             [&](std::size_t begin, std::size_t end)
+             {
+               OccupancyPass occupancy(params, layers);
+               for (std::size_t i = begin; i < end; ++i) occupancy.run(jobs[i]);
+             });
+}
+
+Layers convertOn(const grid::GridFrame& frame, const voxel::VoxelSource& source,
+                 const ConversionParams& params, int threads)
+{
+  Layers layers(frame);
+  convertColumns(source, voxel::ColumnSet::of(frame), params, threads, layers);
+  return layers;
+}
+
+/** A frame that holds `needed` and, on each side where that made it grow, half its size more. */
+grid::GridFrame grown(const grid::GridFrame& frame, const grid::GridFrame& needed)
+{
+  grid::GridFrame out = unite(frame, needed);
+  if (frame.empty()) return out;
+  const std::int32_t xSpare = out.width / 2, ySpare = out.height / 2;
+  const std::int32_t left = out.x0 < frame.x0 ? xSpare : 0;
+  const std::int32_t right = out.xEnd() > frame.xEnd() ? xSpare : 0;
+  const std::int32_t below = out.y0 < frame.y0 ? ySpare : 0;
+  const std::int32_t above = out.yEnd() > frame.yEnd() ? ySpare : 0;
+  out.x0 -= left;
+  out.y0 -= below;
+  out.width += left + right;
+  out.height += below + above;
+  return out;
+}
+}  // namespace
+
+grid::GridFrame frameOf(const voxel::VoxelSource& source)
+{
+  const auto frame = knownFrame(source);
+  if (!frame) throw std::runtime_error("the voxel map is empty: not one voxel is known");
+  return *frame;
+}
+
+Layers convert(const voxel::VoxelSource& source, const ConversionParams& params, int threads)
+{
+  params.check();
+  return convertOn(frameOf(source), source, params, threads);
+}
+
+voxel::ColumnSet columnsDependingOn(const voxel::ColumnSet& changed, const ConversionParams& params)
+{
+  return changed.dilated(std::max(1, params.slopeWindow));
+}
+
+IncrementalLayers::IncrementalLayers(const ConversionParams& params, int threads)
+    : m_params(params), m_threads(threads)
+{
+  m_params.check();
+}
+
+Layers IncrementalLayers::exact(const voxel::VoxelSource& source) const
+{
+  const auto frame = knownFrame(source);
+  return frame ? m_layers.onFrame(*frame) : Layers();
+}
+
+void IncrementalLayers::rebuild(const voxel::VoxelSource& source)
+{
+  if (const auto frame = knownFrame(source))
+    rebuild(source, *frame);
+  else
+    clear();
+}
+
+void IncrementalLayers::rebuild(const voxel::VoxelSource& source, const grid::GridFrame& frame)
+{
+  m_layers = convertOn(frame, source, m_params, m_threads);
+}
+
+bool IncrementalLayers::update(const voxel::VoxelSource& source, const voxel::ColumnSet& changed)
+{
+  if (changed.empty()) return false;
+  const grid::GridFrame frame = grown(m_layers.frame(), changed.bounds(source.resolution()));
+  const bool larger = frame != m_layers.frame();
+  if (larger) m_layers = m_layers.onFrame(frame);
+  convertColumns(source, changed, m_params, m_threads, m_layers);
+  return larger;
+}
+
+void IncrementalLayers::clear() { m_layers = Layers(); }
+
+}  // namespace mrpt_mapconv::freespace

@@ -1,0 +1,57 @@
+#include <mrpt_mapconv/freespace/ConversionParams.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+#include <string>
+
+namespace mrpt_mapconv::freespace
+{
+namespace
+{
+constexpr double kSlack = 1e-6;  // of a voxel: metres that mean a whole number of voxels give it
+
+void require(bool ok, const char* name, double value, const char* right)
+{
+  if (ok) return;
+  std::ostringstream message;
+  message << name << " = " << value << " is not valid: it must be " << right;
+  throw std::invalid_argument(message.str());
+}
+
+/** Keys are 16 bits wide, so more voxels than that mean the same; this keeps the cast in range. */
+std::int32_t toVoxels(double count)
+{
+  return static_cast<std::int32_t>(std::clamp(count, 0.0, 1e6));
+}
+}  // namespace
+
+void ConversionParams::check() const
+{
+  require(std::isfinite(minClearance) && minClearance >= 0, "minClearance", minClearance,
+          "a finite height ≥ 0 m");
+  require(minOccupancy >= 0 && minOccupancy <= 1, "minOccupancy", minOccupancy, "within [0, 1]");
+  require(slopeWindow >= 1 && slopeWindow <= 100, "slopeWindow", slopeWindow,
+          "a whole number of cells from 1 to 100");
+  require(std::isfinite(maxSlope) && maxSlope >= 0, "maxSlope", maxSlope, "a finite slope ≥ 0");
+  require(std::isfinite(maxStep) && maxStep >= 0, "maxStep", maxStep,
+          "a finite height ≥ 0 m (0 turns it off)");
+}
+
+std::int32_t ConversionParams::minRunVoxels(double resolution) const
+{
+  return std::max(1, toVoxels(std::ceil(minClearance / resolution - kSlack)));
+}
+
+std::int32_t ConversionParams::maxStepVoxels(double resolution) const
+{
+  return toVoxels(std::floor(maxStep / resolution + kSlack));
+}
+
+double ConversionParams::minStep(double resolution) const
+{
+  return maxSlope * resolution * (2 * slopeWindow + 1) / 1.5;
+}
+
+}  // namespace mrpt_mapconv::freespace
