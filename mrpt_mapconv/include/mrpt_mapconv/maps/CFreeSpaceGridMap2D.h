@@ -1,0 +1,117 @@
+#pragma once
+
+#include <mrpt/maps/COccupancyGridMap2D.h>
+#include <mrpt/system/COutputLogger.h>
+#include <mrpt_mapconv/freespace/Conversion.h>
+#include <mrpt_mapconv/maps/ConversionOptions.h>
+#include <mrpt_mapconv/maps/LayerScene.h>
+#include <mrpt_mapconv/maps/VoxelInsertion.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace mrpt::maps
+{
+class COctoMap;
+}
+
+namespace mrpt_mapconv
+{
+/** An occupancy grid that is made of a voxel map by free-space projection.
+ *
+ * The map holds an octree. insertObservation() inserts a scan into it and converts the columns that
+ * have changed; the grid that this map *is* always shows the layer for the configured robot, so
+ * MRPT's likelihoods, ICP, planners and viewers use it as any other COccupancyGridMap2D. A raw cell
+ * is +127 for free, 0 for unknown, −max(1, round(127·value)) for occupied. The grid's frame is that
+ * of layers(), whose cells lie on voxel columns.
+ *
+ * Observations: see maps::sensorPoints(). Others are ignored.
+ *
+ * In an ini file, with any prefix that MRPT gives:
+ * \code
+ * [map]
+ * freeSpaceGrid_count = 1
+ * [map_freeSpaceGrid_00_creationOpts]
+ * resolution = 0.10            // [m] size of voxels and cells
+ * [map_freeSpaceGrid_00_insertOpts]
+ * maxrange = 20                // see maps::TVoxelInsertionOptions
+ * [map_freeSpaceGrid_00_conversionOpts]
+ * robot = ground               // see maps::TConversionOptions
+ * [map_freeSpaceGrid_00_likelihoodOpts]
+ * likelihoodMethod = lmLikelihoodField_Thrun   // see COccupancyGridMap2D::TLikelihoodOptions
+ * \endcode
+ */
+class CFreeSpaceGridMap2D : public mrpt::maps::COccupancyGridMap2D
+{
+  DEFINE_SERIALIZABLE(CFreeSpaceGridMap2D, mrpt_mapconv)
+
+ public:
+  /** An empty map. \param resolution size of voxels and cells [m], > 0 */
+  explicit CFreeSpaceGridMap2D(double resolution = 0.10);
+  ~CFreeSpaceGridMap2D() override;
+  CFreeSpaceGridMap2D(const CFreeSpaceGridMap2D& o);
+  CFreeSpaceGridMap2D& operator=(const CFreeSpaceGridMap2D& o);
+
+  /** How scans go into the voxel map. Takes effect with the next insertion. */
+  maps::TVoxelInsertionOptions voxelInsertionOptions;
+  /** What getVisualizationInto() shows beside the occupancy grid. */
+  maps::TLayerSceneOptions renderingOptions;
+
+  const maps::TConversionOptions& conversionOptions() const { return m_conversion; }
+  /** Sets the conversion's options and converts anew.
+   * \exception std::invalid_argument for bad ones; the map then stays as it was */
+  void setConversionOptions(const maps::TConversionOptions& options);
+
+  /** The voxel map. */
+  const octomap::OcTree& octree() const { return *m_octree; }
+  /** All layers, on a frame that holds every known voxel and maybe some room around. */
+  const freespace::Layers& layers() const { return m_layers.layers(); }
+  /** All layers on the exact bounding box of the known voxels; empty if there is none. */
+  freespace::Layers exactLayers() const;
+
+  /** Replaces the voxel map, and the resolution with it, and converts it.
+   * \exception std::exception if it cannot be converted; the map then stays as it was */
+  void setVoxelMap(const octomap::OcTree& tree);
+  void setVoxelMap(const mrpt::maps::COctoMap& map);
+  void setVoxelMap(std::unique_ptr<octomap::OcTree> tree);
+  /** The same from an OctoMap file (`.bt`, `.ot`).
+   * \exception std::runtime_error naming the file and what is wrong with it */
+  void loadVoxelMap(const std::string& file);
+
+  void getVisualizationInto(mrpt::opengl::CSetOfObjects& scene) const override;
+  /** Saves the grid as the base class does, all layers as PREFIX_layers.tif and PREFIX_<layer>.png,
+   * and the voxel map as PREFIX.ot. */
+  void saveMetricMapRepresentationToFile(const std::string& prefix) const override;
+  std::string asString() const override;
+
+ protected:
+  void internal_clear() override;
+  bool internal_insertObservation(
+      const mrpt::obs::CObservation& obs,
+      const std::optional<const mrpt::poses::CPose3D>& robotPose = std::nullopt) override;
+
+ private:
+  const grid::Layer<float>& occupancy() const;
+  bool gridFitsLayers() const;
+  void showAllCells();
+  void showCells(const voxel::ColumnSet& columns);
+  void writeBaseOptions(mrpt::serialization::CArchive& out) const;
+  void readBaseOptions(mrpt::serialization::CArchive& in);
+  void readOctree(const std::string& bytes, grid::GridFrame frame);
+
+  mrpt::system::COutputLogger m_log;
+  maps::PointWarnings m_warnings;
+  maps::TConversionOptions m_conversion;
+  std::unique_ptr<octomap::OcTree> m_octree;
+  freespace::IncrementalLayers m_layers;
+
+  MAP_DEFINITION_START(CFreeSpaceGridMap2D)
+  double resolution = 0.10;  //!< size of voxels and cells [m]
+  mrpt_mapconv::maps::TVoxelInsertionOptions insertionOpts;
+  mrpt_mapconv::maps::TConversionOptions conversionOpts;
+  mrpt::maps::COccupancyGridMap2D::TLikelihoodOptions likelihoodOpts;
+  MAP_DEFINITION_END(CFreeSpaceGridMap2D)
+};
+
+}  // namespace mrpt_mapconv

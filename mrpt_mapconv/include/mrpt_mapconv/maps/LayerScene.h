@@ -1,0 +1,28 @@
+#pragma once
+
+#include <mrpt/opengl/CSetOfObjects.h>
+#include <mrpt_mapconv/freespace/Layers.h>
+
+namespace mrpt_mapconv::maps
+{
+/** What drawLayers() shows. */
+struct TLayerSceneOptions
+{
+  bool showFloor = true;
+  bool showCeiling = false;
+  bool colorBySlope = false;  //!< colour the floor by its slope instead of its height
+};
+
+/** Adds the floor (and the ceiling) to a 3D scene, as surfaces in the map frame [m] made of MRPT's
+ * own objects, so that a scene file opens in SceneViewer3D without this library. */
+void drawLayers(const freespace::Layers& layers, const TLayerSceneOptions& options,
+                mrpt::opengl::CSetOfObjects& scene);
+
+/** Adds an occupancy layer as MRPT draws a grid: a textured plane at height z [m]. */
+void drawOccupancy(const grid::Layer<float>& occupancy, double z,
+                   mrpt::opengl::CSetOfObjects& scene);
+
+/** A voxel below the lowest floor [m]: where the occupancy does not hide in the floor's surface. */
+double heightBelow(const freespace::Layers& layers);
+
+}  // namespace mrpt_mapconv::maps

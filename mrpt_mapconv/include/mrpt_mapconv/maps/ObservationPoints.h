@@ -1,0 +1,48 @@
+#pragma once
+
+#include <mrpt/math/TPoint3D.h>
+#include <mrpt/obs/CObservation.h>
+#include <mrpt/poses/CPose3D.h>
+#include <mrpt_mapconv/maps/PointWarnings.h>
+
+#include <optional>
+#include <vector>
+
+namespace mrpt_mapconv::maps
+{
+/** What a range sensor saw at one moment. */
+struct SensorPoints
+{
+  mrpt::poses::CPose3D sensorPose;            //!< sensor frame -> map: robot ⊕ sensor on robot
+  std::vector<mrpt::math::TPoint3Df> points;  //!< in the sensor frame [m]; finite, not (0,0,0)
+};
+
+/** True for the classes that sensorPoints() reads. */
+bool isScan(const mrpt::obs::CObservation& obs);
+/** True for those of them that are 3D data: all but CObservation2DRangeScan. */
+bool is3DScan(const mrpt::obs::CObservation& obs);
+
+/** The points of an observation in the frame of its sensor, and the sensor's pose in the map.
+ *
+ * - CObservation2DRangeScan: its valid ranges (deltaPitch is ignored, as MRPT's maps do);
+ * - CObservation3DRangeScan: its points, or the unprojected range image if it has none;
+ * - CObservationPointCloud: its cloud;
+ * - CObservationVelodyneScan: its cloud, or the one MRPT generates from the packets, limited only
+ * by the scan's own minRange and maxRange;
+ * - CObservationRotatingScan: see rotatingScanPoints().
+ *
+ * Nothing is thinned out. Points without return, that is (0, 0, 0), are dropped, as are points with
+ * NaN or infinite coordinates; of the latter a warning gives the number. Externally stored data are
+ * read from MRPT's lazy-load directory. The observation is not altered, not even by loading it.
+ *
+ * \param robotPose pose of the robot in the map
+ * \param warnings told of what could not be used; may be null
+ * \return nothing if the class is none of these; no points if there were none, or if the model of a
+ * rotating scanner is unknown
+ * \exception std::runtime_error in one line naming class and label of the observation, if its data
+ * are damaged or an external file is missing */
+std::optional<SensorPoints> sensorPoints(const mrpt::obs::CObservation& obs,
+                                         const mrpt::poses::CPose3D& robotPose,
+                                         PointWarnings* warnings = nullptr);
+
+}  // namespace mrpt_mapconv::maps
