@@ -71,17 +71,21 @@ voxel::ColumnMask HeightPass::writeHeights(const BlockJob& job)
 }
 
 /** Keeps the occupied runs of the columns that may have a free neighbour: one is seen in the block,
- * or the column lies at the block's rim. All others are unknown whatever they hold. */
+ * or the neighbour was not read. All others are unknown whatever they hold. */
 void HeightPass::collectWalls(BlockJob& job, const voxel::ColumnMask& free)
 {
-  constexpr std::uint32_t rim = 0x80000001u;
-  const auto spread = [](std::uint32_t row) { return row | row << 1 | row >> 1; };
+  constexpr std::uint32_t rim = 0x80000001u;  // their neighbours lie in other blocks
+  const auto maybeFree = [&](std::size_t y) { return free[y] | ~job.read[y]; };
   voxel::ColumnMask candidates{};
   for (std::size_t y = 0; y < candidates.size(); ++y)
   {
     const bool first = y == 0, last = y + 1 == candidates.size();
-    const std::uint32_t near =
-        first || last ? voxel::kFullRow : rim | spread(free[y - 1] | free[y] | free[y + 1]);
+    std::uint32_t near = voxel::kFullRow;
+    if (!first && !last)
+    {
+      const std::uint32_t rows = maybeFree(y - 1) | maybeFree(y) | maybeFree(y + 1);
+      near = rim | rows | rows << 1 | rows >> 1;
+    }
     candidates[y] = job.read[y] & ~free[y] & near;
   }
   job.walls.clear();

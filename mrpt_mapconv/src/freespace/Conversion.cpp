@@ -10,6 +10,17 @@ namespace mrpt_mapconv::freespace
 {
 namespace
 {
+/** 8 GB of layers; a stray voxel far away should be an error and not fill the memory. */
+constexpr std::size_t kMaxCells = 400'000'000;
+
+void checkSize(const grid::GridFrame& frame)
+{
+  if (frame.size() > kMaxCells)
+    throw std::runtime_error("the voxel map covers " + std::to_string(frame.width) + " x " +
+                             std::to_string(frame.height) + " cells, more than the " +
+                             std::to_string(kMaxCells) + " that a 2D map may have");
+}
+
 std::optional<grid::GridFrame> knownFrame(const voxel::VoxelSource& source)
 {
   const auto box = source.bounds();
@@ -87,6 +98,7 @@ grid::GridFrame frameOf(const voxel::VoxelSource& source)
 {
   const auto frame = knownFrame(source);
   if (!frame) throw std::runtime_error("the voxel map is empty: not one voxel is known");
+  checkSize(*frame);
   return *frame;
 }
 
@@ -123,6 +135,7 @@ void IncrementalLayers::rebuild(const voxel::VoxelSource& source)
 
 void IncrementalLayers::rebuild(const voxel::VoxelSource& source, const grid::GridFrame& frame)
 {
+  checkSize(frame);
   m_layers = convertOn(frame, source, m_params, m_threads);
 }
 
@@ -130,6 +143,7 @@ bool IncrementalLayers::update(const voxel::VoxelSource& source, const voxel::Co
 {
   if (changed.empty()) return false;
   const grid::GridFrame frame = grown(m_layers.frame(), changed.bounds(source.resolution()));
+  checkSize(frame);
   const bool larger = frame != m_layers.frame();
   if (larger) m_layers = m_layers.onFrame(frame);
   convertColumns(source, changed, m_params, m_threads, m_layers);

@@ -38,7 +38,7 @@ void warnUnknownSections(const mrpt::config::CConfigFileBase& source, const std:
     const auto suffix = section.substr(prefix.size());
     if (std::find(kSections.begin(), kSections.end(), suffix) != kSections.end()) continue;
     mrpt::system::COutputLogger log("mrpt_mapconv");
-    log.logStr(mrpt::system::LVL_WARN, "unknown section [" + section + "] has no effect");
+    log.logStr(mrpt::system::LVL_WARN, "unknown section '" + section + "' has no effect");
   }
 }
 

@@ -35,7 +35,7 @@ void TConversionOptions::loadFromConfigFile(const mrpt::config::CConfigFileBase&
   }
   catch (const std::invalid_argument& error)
   {
-    throw std::runtime_error("[" + section + "] " + error.what());
+    throw std::runtime_error("section '" + section + "': " + error.what());
   }
   ini.warnUnknown();
   *this = read;

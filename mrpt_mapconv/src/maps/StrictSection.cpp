@@ -61,7 +61,7 @@ std::string StrictSection::text(const std::string& key)
 void StrictSection::fail(const std::string& key, const std::string& right) const
 {
   const auto value = trimmed(withoutComment(m_source.read_string(m_section, key, "")));
-  throw std::runtime_error("[" + m_section + "] " + key + " = '" + value +
+  throw std::runtime_error("section '" + m_section + "': " + key + " = '" + value +
                            "' is not valid: it must be " + right);
 }
 
@@ -138,7 +138,8 @@ void StrictSection::warnUnknown() const
   std::string names;
   for (const auto& key : keys) names += (names.empty() ? "'" : ", '") + key + "'";
   mrpt::system::COutputLogger log("mrpt_mapconv");
-  log.logStr(mrpt::system::LVL_WARN, "[" + m_section + "] unknown key " + names + " has no effect");
+  log.logStr(mrpt::system::LVL_WARN,
+             "section '" + m_section + "': unknown key " + names + " has no effect");
 }
 
 }  // namespace mrpt_mapconv::maps

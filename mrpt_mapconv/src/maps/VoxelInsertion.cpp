@@ -114,7 +114,7 @@ void TVoxelInsertionOptions::loadFromConfigFile(const mrpt::config::CConfigFileB
   }
   catch (const std::invalid_argument& error)
   {
-    throw std::runtime_error("[" + section + "] " + error.what());
+    throw std::runtime_error("section '" + section + "': " + error.what());
   }
   ini.warnUnknown();
   *this = read;

@@ -8,7 +8,7 @@
 namespace mrpt_mapconv::freespace
 {
 /** The frame of a voxel map: the xy bounding box, in keys, of all known voxels.
- * \exception std::runtime_error if no voxel is known */
+ * \exception std::runtime_error if no voxel is known, or if that is more than 4·10^8 cells */
 grid::GridFrame frameOf(const voxel::VoxelSource& source);
 
 /** Converts a whole voxel map by free-space projection (Fredriksson et al. 2024, eqs. 1–8).
@@ -18,7 +18,7 @@ grid::GridFrame frameOf(const voxel::VoxelSource& source);
  * \param threads number of threads; 0 = all cores
  * \return the five layers on frameOf(source); all unknown if no free range is kept
  * \exception std::invalid_argument for bad parameters
- * \exception std::runtime_error for a map without any known voxel */
+ * \exception std::runtime_error for a map without any known voxel or of more than 4·10^8 cells */
 Layers convert(const voxel::VoxelSource& source, const ConversionParams& params, int threads = 0);
 
 /** The columns whose layers can change when the given ones do: occupancy and steps reach 1 cell,

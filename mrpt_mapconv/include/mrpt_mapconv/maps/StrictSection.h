@@ -33,7 +33,8 @@ class StrictSection
   /** One of `choices`; gives its index. */
   void readChoice(const std::string& key, const std::vector<std::string>& choices, int& index);
 
-  /** Throws that the value of a key that has been read is not valid.
+  /** (No brackets around the section: MRPT takes what stands before a ']' for a place in its code.)
+   * Throws that the value of a key that has been read is not valid.
    * \param right what would be, e.g. "> 0" */
   [[noreturn]] void fail(const std::string& key, const std::string& right) const;
 

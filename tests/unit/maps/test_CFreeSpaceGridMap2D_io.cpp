@@ -1,0 +1,280 @@
+#include <mrpt/config/CConfigFileMemory.h>
+#include <mrpt/io/CMemoryStream.h>
+#include <mrpt/maps/CMultiMetricMap.h>
+#include <mrpt/maps/TMetricMapInitializer.h>
+#include <mrpt/opengl/CMesh.h>
+#include <mrpt/serialization/CArchive.h>
+#include <mrpt_mapconv/grid/GeoTiff.h>
+
+#include "FreeSpaceMapFixtures.h"
+
+using namespace mrpt_mapconv;
+using namespace mrpt_mapconv::maps::fixtures;
+using mrpt::maps::CMultiMetricMap;
+using mrpt::maps::TSetOfMetricMapInitializers;
+
+namespace
+{
+/** A map with no option left at its default. */
+CFreeSpaceGridMap2D unusualMap()
+{
+  CFreeSpaceGridMap2D map(0.2);
+  maps::TConversionOptions options;
+  options.robot = maps::Robot::Aerial;
+  options.params = {0.6, 0.3, 3, 0.8, 0.4};
+  map.setConversionOptions(options);
+  map.voxelInsertionOptions.maxrange = 9;
+  map.voxelInsertionOptions.pruning = false;
+  map.voxelInsertionOptions.probHit = 0.8;
+  map.voxelInsertionOptions.probMiss = 0.45;
+  map.voxelInsertionOptions.occupancyThres = 0.6;
+  map.voxelInsertionOptions.clampingThresMin = 0.2;
+  map.voxelInsertionOptions.clampingThresMax = 0.9;
+  map.voxelInsertionOptions.insert2D = false;
+  map.renderingOptions = {false, true, true};
+  map.genericMapParams.enableObservationLikelihood = false;
+  map.likelihoodOptions.LF_stdHit = 0.123f;
+  map.likelihoodOptions.LF_useSquareDist = true;
+  map.likelihoodOptions.consensus_pow = 2.5f;
+  map.insertionOptions.mapAltitude = 0.7f;
+  map.insertionOptions.maxFreenessUpdateCertainty = 0.77f;
+  map.insertionOptions.maxFreenessInvalidRanges = 0.66f;
+  for (int i = 0; i < 3; ++i)
+    map.insertObservation(roomScan(i), mrpt::poses::CPose3D(0.9 * i, 0, 1));
+  return map;
+}
+
+void expectSameOptions(const CFreeSpaceGridMap2D& a, const CFreeSpaceGridMap2D& b)
+{
+  EXPECT_EQ(a.conversionOptions().robot, b.conversionOptions().robot);
+  EXPECT_EQ(a.conversionOptions().params.minClearance, b.conversionOptions().params.minClearance);
+  EXPECT_EQ(a.conversionOptions().params.minOccupancy, b.conversionOptions().params.minOccupancy);
+  EXPECT_EQ(a.conversionOptions().params.slopeWindow, b.conversionOptions().params.slopeWindow);
+  EXPECT_EQ(a.conversionOptions().params.maxSlope, b.conversionOptions().params.maxSlope);
+  EXPECT_EQ(a.conversionOptions().params.maxStep, b.conversionOptions().params.maxStep);
+  EXPECT_EQ(a.voxelInsertionOptions.maxrange, b.voxelInsertionOptions.maxrange);
+  EXPECT_EQ(a.voxelInsertionOptions.pruning, b.voxelInsertionOptions.pruning);
+  EXPECT_EQ(a.voxelInsertionOptions.probHit, b.voxelInsertionOptions.probHit);
+  EXPECT_EQ(a.voxelInsertionOptions.probMiss, b.voxelInsertionOptions.probMiss);
+  EXPECT_EQ(a.voxelInsertionOptions.occupancyThres, b.voxelInsertionOptions.occupancyThres);
+  EXPECT_EQ(a.voxelInsertionOptions.clampingThresMin, b.voxelInsertionOptions.clampingThresMin);
+  EXPECT_EQ(a.voxelInsertionOptions.clampingThresMax, b.voxelInsertionOptions.clampingThresMax);
+  EXPECT_EQ(a.voxelInsertionOptions.insert2D, b.voxelInsertionOptions.insert2D);
+  EXPECT_EQ(a.renderingOptions.showFloor, b.renderingOptions.showFloor);
+  EXPECT_EQ(a.renderingOptions.showCeiling, b.renderingOptions.showCeiling);
+  EXPECT_EQ(a.renderingOptions.colorBySlope, b.renderingOptions.colorBySlope);
+  EXPECT_EQ(a.genericMapParams.enableObservationLikelihood,
+            b.genericMapParams.enableObservationLikelihood);
+  EXPECT_EQ(a.likelihoodOptions.LF_stdHit, b.likelihoodOptions.LF_stdHit);
+  EXPECT_EQ(a.likelihoodOptions.LF_useSquareDist, b.likelihoodOptions.LF_useSquareDist);
+  EXPECT_EQ(a.likelihoodOptions.consensus_pow, b.likelihoodOptions.consensus_pow);
+  EXPECT_EQ(a.insertionOptions.mapAltitude, b.insertionOptions.mapAltitude);
+  EXPECT_EQ(a.insertionOptions.maxFreenessUpdateCertainty,
+            b.insertionOptions.maxFreenessUpdateCertainty);
+  EXPECT_EQ(a.insertionOptions.maxFreenessInvalidRanges,
+            b.insertionOptions.maxFreenessInvalidRanges);
+}
+
+/** The next scan must give the same in both. */
+void expectSameFuture(CFreeSpaceGridMap2D& a, CFreeSpaceGridMap2D& b)
+{
+  expectSameBits(a.layers(), b.layers());
+  EXPECT_EQ(a.getRawMap(), b.getRawMap());
+  EXPECT_EQ(a.isEmpty(), b.isEmpty());
+  EXPECT_TRUE(a.octree() == b.octree());
+  for (auto* map : {&a, &b}) map->insertObservation(roomScan(4), mrpt::poses::CPose3D(2.5, 1, 1));
+  expectSameBits(a.layers(), b.layers());
+  EXPECT_EQ(a.getRawMap(), b.getRawMap());
+  EXPECT_TRUE(a.octree() == b.octree());
+}
+
+mrpt::maps::CMetricMap::Ptr fromIni(const std::string& text)
+{
+  const mrpt::config::CConfigFileMemory ini("[map]\nfreeSpaceGrid_count=1\n" + text);
+  TSetOfMetricMapInitializers definitions;
+  definitions.loadFromConfigFile(ini, "map");
+  CMultiMetricMap maps;
+  maps.setListOfMaps(definitions);
+  return maps.maps.at(0);
+}
+}  // namespace
+
+TEST(CFreeSpaceGridMap2D_io, AStreamBringsBackMapAndOptionsExactly)
+{
+  auto map = unusualMap();
+  std::vector<std::uint8_t> stream;
+  mrpt::serialization::ObjectToOctetVector(&map, stream);
+  mrpt::serialization::CSerializable::Ptr object;
+  mrpt::serialization::OctetVectorToObject(stream, object);
+  auto copy = std::dynamic_pointer_cast<CFreeSpaceGridMap2D>(object);
+  ASSERT_TRUE(copy);
+  expectSameOptions(map, *copy);
+  expectSameFuture(map, *copy);
+}
+
+TEST(CFreeSpaceGridMap2D_io, AnEmptyMapSurvivesAsWell)
+{
+  CFreeSpaceGridMap2D map(0.4);
+  std::vector<std::uint8_t> stream;
+  mrpt::serialization::ObjectToOctetVector(&map, stream);
+  mrpt::serialization::CSerializable::Ptr object;
+  mrpt::serialization::OctetVectorToObject(stream, object);
+  auto copy = std::dynamic_pointer_cast<CFreeSpaceGridMap2D>(object);
+  ASSERT_TRUE(copy);
+  EXPECT_TRUE(copy->isEmpty());
+  EXPECT_EQ(copy->octree().getResolution(), 0.4);
+  expectSameFuture(map, *copy);
+}
+
+TEST(CFreeSpaceGridMap2D_io, CopiedInsideAMultiMetricMapItGoesOnAlike)
+{
+  CMultiMetricMap original;
+  original.maps.push_back(std::make_shared<CFreeSpaceGridMap2D>(unusualMap()));
+  CMultiMetricMap copy(original);  // MRPT copies by serializing
+  auto a = original.mapByClass<CFreeSpaceGridMap2D>(), b = copy.mapByClass<CFreeSpaceGridMap2D>();
+  ASSERT_TRUE(a && b);
+  ASSERT_NE(a, b);
+  expectSameOptions(*a, *b);
+  expectSameFuture(*a, *b);
+}
+
+TEST(CFreeSpaceGridMap2D_io, ATruncatedStreamThrowsAndLeavesTheMapAsItWas)
+{
+  const auto source = unusualMap();
+  mrpt::io::CMemoryStream whole;
+  mrpt::serialization::archiveFrom(whole) << source;
+  const auto size = whole.getTotalBytesCount();
+  ASSERT_GT(size, 2000u);
+
+  CFreeSpaceGridMap2D target(0.25);
+  target.insertObservation(roomScan(1), mrpt::poses::CPose3D(0, 0, 1));
+  const auto before = target.layers();
+  for (std::uint64_t length = 0; length < size; length += length < 1500 ? 7 : size / 23)
+  {
+    mrpt::io::CMemoryStream part;
+    part.assignMemoryNotOwn(whole.getRawBufferData(), length);
+    auto archive = mrpt::serialization::archiveFrom(part);
+    EXPECT_ANY_THROW(archive >> target) << length;
+    expectSameBits(target.layers(), before);
+    EXPECT_EQ(target.octree().getResolution(), 0.25);
+  }
+}
+
+TEST(CFreeSpaceGridMap2D_io, AForeignStreamThrows)
+{
+  mrpt::io::CMemoryStream memory;
+  mrpt::serialization::archiveFrom(memory) << mrpt::maps::COccupancyGridMap2D();
+  memory.Seek(0);
+  CFreeSpaceGridMap2D target(0.25);
+  auto archive = mrpt::serialization::archiveFrom(memory);
+  EXPECT_ANY_THROW(archive >> target);
+  EXPECT_TRUE(target.isEmpty());
+}
+
+TEST(CFreeSpaceGridMap2D_io, IsMadeFromIniUnderBothNames)
+{
+  const std::string sections =
+      "[map_freeSpaceGrid_00_creationOpts]\nresolution=0.3\nenableObservationLikelihood=false\n"
+      "[map_freeSpaceGrid_00_insertOpts]\nmaxrange=7\ninsert2D=false\n"
+      "[map_freeSpaceGrid_00_conversionOpts]\nrobot=aerial\nminClearance=0.9\n"
+      "[map_freeSpaceGrid_00_likelihoodOpts]\nlikelihoodMethod=lmConsensus\nLF_stdHit=0.11\n";
+  const auto map = std::dynamic_pointer_cast<CFreeSpaceGridMap2D>(fromIni(sections));
+  ASSERT_TRUE(map);
+  EXPECT_EQ(map->octree().getResolution(), 0.3);
+  EXPECT_FALSE(map->genericMapParams.enableObservationLikelihood);
+  EXPECT_EQ(map->voxelInsertionOptions.maxrange, 7);
+  EXPECT_FALSE(map->voxelInsertionOptions.insert2D);
+  EXPECT_EQ(map->conversionOptions().robot, maps::Robot::Aerial);
+  EXPECT_EQ(map->conversionOptions().params.minClearance, 0.9);
+  EXPECT_EQ(map->likelihoodOptions.likelihoodMethod, mrpt::maps::COccupancyGridMap2D::lmConsensus);
+  EXPECT_EQ(map->likelihoodOptions.LF_stdHit, 0.11f);
+
+  const mrpt::config::CConfigFileMemory longName(
+      "[map]\nmrpt_mapconv::CFreeSpaceGridMap2D_count=1\n");
+  TSetOfMetricMapInitializers definitions;
+  definitions.loadFromConfigFile(longName, "map");
+  EXPECT_EQ(definitions.size(), 1u);
+}
+
+TEST(CFreeSpaceGridMap2D_io, ABadIniValueIsAnErrorThatNamesIt)
+{
+  for (const auto& [section, line] : std::vector<std::pair<std::string, std::string>>{
+           {"creationOpts", "resolution=0"},
+           {"creationOpts", "resolution=-0.1"},
+           {"creationOpts", "resolution=tiny"},
+           {"insertOpts", "maxrange=1,5"},
+           {"conversionOpts", "slopeWindow=0"},
+           {"conversionOpts", "minOccupancy=2"},
+           {"likelihoodOpts", "LF_stdHit=banana"},
+           {"likelihoodOpts", "LF_stdHit=-1"},
+           {"likelihoodOpts", "likelihoodMethod=lmBanana"}})
+  {
+    const auto key = line.substr(0, line.find('=')), value = line.substr(line.find('=') + 1);
+    try
+    {
+      fromIni("[map_freeSpaceGrid_00_" + section + "]\n" + line + "\n");
+      ADD_FAILURE() << line << " is accepted";
+    }
+    catch (const std::exception& error)
+    {
+      const std::string message = error.what();
+      EXPECT_NE(message.find("section 'map_freeSpaceGrid_00_" + section + "'"), std::string::npos)
+          << message;
+      EXPECT_NE(message.find(key), std::string::npos) << message;
+      EXPECT_NE(message.find(value.substr(0, 4)), std::string::npos) << message;
+    }
+  }
+}
+
+TEST(CFreeSpaceGridMap2D_io, UnknownKeysAndSectionsAreNamedInAWarning)
+{
+  testing::internal::CaptureStderr();
+  testing::internal::CaptureStdout();
+  fromIni(
+      "[map_freeSpaceGrid_00_insertOpts]\nmaxRange=7\n"
+      "[map_freeSpaceGrid_00_conversonOpts]\nrobot=aerial\n");
+  const auto said = testing::internal::GetCapturedStdout() + testing::internal::GetCapturedStderr();
+  EXPECT_NE(said.find("maxRange"), std::string::npos) << said;
+  EXPECT_NE(said.find("map_freeSpaceGrid_00_conversonOpts"), std::string::npos) << said;
+}
+
+TEST(CFreeSpaceGridMap2D_io, SavesEveryLayerAndTheVoxels)
+{
+  const TempDir dir;
+  const auto map = unusualMap();
+  map.saveMetricMapRepresentationToFile(dir.file("m"));
+  for (const char* name : {"m.png", "m_layers.tif", "m_floor.png", "m_ceiling.png", "m_slope.png",
+                           "m_aerial.png", "m_ground.png", "m.ot"})
+    EXPECT_TRUE(std::filesystem::exists(dir.file(name))) << name;
+  const auto floor = grid::readGeoTiffBand(dir.file("m_layers.tif"), "floor");
+  EXPECT_EQ(floor.frame(), map.exactLayers().frame());
+  CFreeSpaceGridMap2D again(1.0);
+  again.loadVoxelMap(dir.file("m.ot"));
+  EXPECT_EQ(again.octree().getNumLeafNodes(), map.octree().getNumLeafNodes());
+}
+
+TEST(CFreeSpaceGridMap2D_io, DrawsFloorCeilingAndGrid)
+{
+  auto map = unusualMap();
+  map.renderingOptions = {};
+  mrpt::opengl::CSetOfObjects scene;
+  map.getVisualizationInto(scene);
+  EXPECT_TRUE(scene.getByName("floor"));
+  EXPECT_TRUE(scene.getByName("occupancy"));
+  EXPECT_FALSE(scene.getByName("ceiling"));
+  const auto box =
+      std::dynamic_pointer_cast<mrpt::opengl::CMesh>(scene.getByName("floor"))->getBoundingBox();
+  const auto frame = map.exactLayers().frame();
+  EXPECT_NEAR(box.min.x, frame.xMin() + 0.1, 1e-4);
+  EXPECT_NEAR(box.max.y, frame.yMax() - 0.1, 1e-4);
+
+  map.renderingOptions.showCeiling = true;
+  mrpt::opengl::CSetOfObjects both;
+  map.getVisualizationInto(both);
+  EXPECT_TRUE(both.getByName("ceiling"));
+
+  map.genericMapParams.enableSaveAs3DObject = false;
+  mrpt::opengl::CSetOfObjects nothing;
+  map.getVisualizationInto(nothing);
+  EXPECT_TRUE(nothing.empty());
+}
