@@ -25,8 +25,8 @@ std::optional<grid::GridFrame> knownFrame(const voxel::VoxelSource& source)
 {
   const auto box = source.bounds();
   if (!box) return std::nullopt;
-  return grid::GridFrame{source.resolution(), box->min[0], box->min[1],
-                         box->max[0] - box->min[0] + 1, box->max[1] - box->min[1] + 1};
+  return grid::GridFrame{source.resolution(), box->xMin, box->yMin, box->xMax - box->xMin + 1,
+                         box->yMax - box->yMin + 1};
 }
 
 /** What a change of columns asks of each block: reading one cell around it (a neighbour's free

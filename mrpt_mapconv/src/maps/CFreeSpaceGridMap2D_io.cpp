@@ -92,8 +92,8 @@ void CFreeSpaceGridMap2D::readOctree(const std::string& bytes, grid::GridFrame f
   m_layers = freespace::IncrementalLayers(m_conversion.params);
   if (const auto known = source.bounds())
   {
-    if (!frame.containsKey(known->min[0], known->min[1]) ||
-        !frame.containsKey(known->max[0], known->max[1]))
+    if (!frame.containsKey(known->xMin, known->yMin) ||
+        !frame.containsKey(known->xMax, known->yMax))
       throw std::runtime_error("CFreeSpaceGridMap2D stream: the frame does not hold the voxels");
     m_layers.rebuild(source, frame);
   }

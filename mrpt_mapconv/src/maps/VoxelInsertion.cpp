@@ -78,8 +78,8 @@ voxel::ColumnSet allColumns(const octomap::OcTree& tree)
 {
   const auto box = voxel::OctreeSource<octomap::OcTree>(tree).bounds();
   if (!box) return {};
-  return voxel::ColumnSet::of({tree.getResolution(), box->min[0], box->min[1],
-                               box->max[0] - box->min[0] + 1, box->max[1] - box->min[1] + 1});
+  return voxel::ColumnSet::of({tree.getResolution(), box->xMin, box->yMin,
+                               box->xMax - box->xMin + 1, box->yMax - box->yMin + 1});
 }
 }  // namespace
 

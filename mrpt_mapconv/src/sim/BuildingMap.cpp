@@ -56,12 +56,12 @@ class Builder
   /** Rises towards +y, from the floor to the box's height. */
   void ramp(const Box& box)
   {
-    const voxel::KeyBox step = keys(box);
+    const KeyBox step = keys(box);
     const std::int32_t length = step.max[1] - step.min[1] + 1;
     const std::int32_t height = step.max[2] - step.min[2] + 1;
     for (std::int32_t i = 0; i < length; ++i)
     {
-      voxel::KeyBox slice = step;
+      KeyBox slice = step;
       slice.min[1] = slice.max[1] = step.min[1] + i;
       // the slope's height in the middle of the step, rounded
       slice.max[2] = step.min[2] + ((2 * i + 1) * height + length) / (2 * length) - 1;
@@ -99,9 +99,9 @@ class Builder
     return static_cast<std::int32_t>(std::lround(metres / m_resolution));
   }
   /** The voxels of a box; at least one on each axis. */
-  voxel::KeyBox keys(const Box& b) const
+  KeyBox keys(const Box& b) const
   {
-    const voxel::KeyBox begin = {{cell(kCornerX + b.x0), cell(kCornerY + b.y0), cell(b.z0)}, {}};
+    const KeyBox begin = {{cell(kCornerX + b.x0), cell(kCornerY + b.y0), cell(b.z0)}, {}};
     const auto last = [this](std::int32_t first, double end)
     { return std::max(first, cell(end) - 1); };
     return {begin.min,

@@ -9,7 +9,7 @@ namespace mrpt_mapconv::sim
 {
 namespace
 {
-std::size_t length(const voxel::KeyBox& box, std::size_t axis)
+std::size_t length(const KeyBox& box, std::size_t axis)
 {
   return static_cast<std::size_t>(std::int64_t(box.max[axis]) - box.min[axis] + 1);
 }
@@ -24,7 +24,7 @@ unsigned leafOf(voxel::VoxelState state)
 }
 }  // namespace
 
-VoxelCanvas::VoxelCanvas(const voxel::KeyBox& box)
+VoxelCanvas::VoxelCanvas(const KeyBox& box)
     : m_box(box),
       m_sizeY(length(box, 1)),
       m_sizeZ(length(box, 2)),
@@ -42,7 +42,7 @@ void VoxelCanvas::fillColumn(std::int32_t x, std::int32_t y, std::int32_t zBegin
               state);
 }
 
-void VoxelCanvas::fill(const voxel::KeyBox& box, State state)
+void VoxelCanvas::fill(const KeyBox& box, State state)
 {
   for (std::int32_t x = box.min[0]; x <= box.max[0]; ++x)
     for (std::int32_t y = box.min[1]; y <= box.max[1]; ++y)

@@ -2,6 +2,7 @@
 
 #include <mrpt_mapconv/voxel/VoxelSource.h>
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -15,6 +16,12 @@ class OcTree;
 
 namespace mrpt_mapconv::sim
 {
+/** A box of voxel keys, both corners included. */
+struct KeyBox
+{
+  std::array<std::int32_t, 3> min, max;
+};
+
 /** A box of voxels to paint on, one byte each, that becomes an octree in the end. Painting outside
  * the box does nothing. Voxels have the keys of voxel::VoxelSource. */
 class VoxelCanvas
@@ -23,9 +30,9 @@ class VoxelCanvas
   using State = voxel::VoxelState;
 
   /** \param box both corners included; all voxels start unknown */
-  explicit VoxelCanvas(const voxel::KeyBox& box);
+  explicit VoxelCanvas(const KeyBox& box);
 
-  const voxel::KeyBox& box() const { return m_box; }
+  const KeyBox& box() const { return m_box; }
   /** Unknown outside the box. */
   State at(std::int32_t x, std::int32_t y, std::int32_t z) const
   {
@@ -39,7 +46,7 @@ class VoxelCanvas
   void fillColumn(std::int32_t x, std::int32_t y, std::int32_t zBegin, std::int32_t zEnd,
                   State state);
   /** Paints a box, both corners included. */
-  void fill(const voxel::KeyBox& box, State state);
+  void fill(const KeyBox& box, State state);
 
   /** Makes occupied voxels unknown that share no face with a free one: no sensor sees the inside
    * of a wall. */
@@ -65,7 +72,7 @@ class VoxelCanvas
   unsigned writeCube(const std::array<std::int32_t, 3>& corner, std::int32_t size,
                      std::string& nodes) const;
 
-  voxel::KeyBox m_box;
+  KeyBox m_box;
   std::size_t m_sizeY, m_sizeZ;
   std::vector<State> m_voxels;
 };

@@ -39,60 +39,33 @@ class Children : private Node
   octomap::AbstractOcTreeNode* const* m_array;
 };
 
-/** Finds the bounding box of all leaves. A node inside the box found so far adds nothing and is not
- * entered, so only the map's rim is visited. Corners in OctoMap's unsigned keys, both included. */
-template <class Tree>
+/** Finds the bounding box of all columns with a leaf, in OctoMap's unsigned keys. A node inside the
+ * box found so far adds nothing and is not entered, so only the map's rim is visited. */
+template <class Node>
 class BoundsSearch
 {
  public:
-  using Node = typename Tree::NodeType;
-
-  explicit BoundsSearch(const Tree& tree)
+  void visit(const Node* node, std::int32_t x, std::int32_t y, std::int32_t size)
   {
-    if (tree.getRoot()) visit(tree.getRoot(), {0, 0, 0}, kTreeSide);
-  }
-  std::optional<KeyBox> box() const
-  {
-    if (m_box.min[0] > m_box.max[0]) return std::nullopt;
-    KeyBox box = m_box;
-    for (std::size_t i = 0; i < 3; ++i)
-    {
-      box.min[i] -= kKeyOffset;
-      box.max[i] -= kKeyOffset;
-    }
-    return box;
-  }
-
- private:
-  using Corner = std::array<std::int32_t, 3>;
-
-  void visit(const Node* node, const Corner& corner, std::int32_t size)
-  {
-    bool inside = true;
-    for (std::size_t i = 0; i < 2; ++i)
-      inside &= corner[i] >= m_box.min[i] && corner[i] + size - 1 <= m_box.max[i];
-    if (inside) return;
+    const std::int32_t xLast = x + size - 1, yLast = y + size - 1;
+    if (x >= m_box.xMin && y >= m_box.yMin && xLast <= m_box.xMax && yLast <= m_box.yMax) return;
     const Children<Node> children(node);
     if (size == 1 || !children.any())
     {
-      for (std::size_t i = 0; i < 3; ++i)
-      {
-        m_box.min[i] = std::min(m_box.min[i], corner[i]);
-        m_box.max[i] = std::max(m_box.max[i], corner[i] + size - 1);
-      }
+      m_box = {std::min(m_box.xMin, x), std::min(m_box.yMin, y), std::max(m_box.xMax, xLast),
+               std::max(m_box.yMax, yLast)};
       return;
     }
     const std::int32_t half = size / 2;
     // opposite corners first: they widen the box soonest
     for (const unsigned i : {0u, 7u, 3u, 4u, 5u, 2u, 1u, 6u})
       if (const Node* child = children[i])
-        visit(child,
-              {corner[0] + (i & 1 ? half : 0), corner[1] + (i & 2 ? half : 0),
-               corner[2] + (i & 4 ? half : 0)},
-              half);
+        visit(child, x + (i & 1 ? half : 0), y + (i & 2 ? half : 0), half);
   }
+  const KeyRect& box() const { return m_box; }
 
-  KeyBox m_box{{kTreeSide, kTreeSide, kTreeSide}, {-1, -1, -1}};
+ private:
+  KeyRect m_box{kTreeSide, kTreeSide, -1, -1};
 };
 
 /** A node that lies within a block's columns, or covers them all. */
@@ -206,9 +179,14 @@ double OctreeSource<Tree>::resolution() const
 }
 
 template <class Tree>
-std::optional<KeyBox> OctreeSource<Tree>::bounds() const
+std::optional<KeyRect> OctreeSource<Tree>::bounds() const
 {
-  return BoundsSearch<Tree>(m_tree).box();
+  if (!m_tree.getRoot()) return std::nullopt;
+  BoundsSearch<typename Tree::NodeType> search;
+  search.visit(m_tree.getRoot(), 0, 0, kTreeSide);
+  const KeyRect& box = search.box();
+  return KeyRect{box.xMin - kKeyOffset, box.yMin - kKeyOffset, box.xMax - kKeyOffset,
+                 box.yMax - kKeyOffset};
 }
 
 template <class Tree>

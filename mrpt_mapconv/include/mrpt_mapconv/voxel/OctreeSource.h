@@ -24,7 +24,7 @@ class OctreeSource : public VoxelSource
  public:
   explicit OctreeSource(const Tree& tree) : m_tree(tree) {}
   double resolution() const override;
-  std::optional<KeyBox> bounds() const override;
+  std::optional<KeyRect> bounds() const override;
   void read(ColumnBlock& block) const override;
 
  private:

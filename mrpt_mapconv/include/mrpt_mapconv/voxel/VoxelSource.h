@@ -2,7 +2,6 @@
 
 #include <mrpt_mapconv/voxel/ColumnBlock.h>
 
-#include <array>
 #include <cstdint>
 #include <optional>
 
@@ -16,10 +15,10 @@ enum class VoxelState : std::uint8_t
   Occupied
 };
 
-/** A box of voxel keys, both corners included. */
-struct KeyBox
+/** A rectangle of column keys, both corners included. */
+struct KeyRect
 {
-  std::array<std::int32_t, 3> min, max;
+  std::int32_t xMin = 0, yMin = 0, xMax = -1, yMax = -1;
 };
 
 /** The one interface through which every voxel map is read.
@@ -34,8 +33,8 @@ class VoxelSource
   virtual ~VoxelSource() = default;
   /** Size of the finest voxel [m]. */
   virtual double resolution() const = 0;
-  /** Bounding box of all known voxels; nothing if no voxel is known. */
-  virtual std::optional<KeyBox> bounds() const = 0;
+  /** The columns' bounding box: all known voxels lie in it; nothing if no voxel is known. */
+  virtual std::optional<KeyRect> bounds() const = 0;
   /** Marks all known voxels of the block's wanted columns, after ColumnBlock::start(). */
   virtual void read(ColumnBlock& block) const = 0;
 };

@@ -1,0 +1,199 @@
+#include "DenseOracle.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+
+namespace mrpt_mapconv::oracle
+{
+namespace
+{
+// 128 bits hold every product of moments of a 201×201 window with floors up to 2^16 apart.
+__extension__ typedef __int128 Exact;
+
+Exact magnitude(Exact value) { return value < 0 ? -value : value; }
+
+/** A plane's slope as sqrt(a² + b²)/d with exact integers. */
+struct ExactSlope
+{
+  Exact a = 0, b = 0, d = 0;  //!< d = 0: no plane
+};
+
+/** Least squares over the window around (cx, cy). Cells and floors are counted in voxels from the
+ * centre; cells and voxels have the same size, so the quotient is in metres per metre. */
+ExactSlope fitPlane(const DenseResult& result, int cx, int cy, int window)
+{
+  Exact n = 0, sx = 0, sy = 0, sz = 0, sxx = 0, sxy = 0, syy = 0, sxz = 0, syz = 0;
+  for (int dy = -window; dy <= window; ++dy)
+    for (int dx = -window; dx <= window; ++dx)
+    {
+      if (!result.inside(cx + dx, cy + dy) || !result.at(cx + dx, cy + dy).free) continue;
+      const Exact x = dx, y = dy;
+      const Exact z = result.at(cx + dx, cy + dy).floorKey - result.at(cx, cy).floorKey;
+      n += 1;
+      sx += x, sy += y, sz += z;
+      sxx += x * x, sxy += x * y, syy += y * y;
+      sxz += x * z, syz += y * z;
+    }
+  const Exact xx = n * sxx - sx * sx, xy = n * sxy - sx * sy, yy = n * syy - sy * sy;
+  const Exact xz = n * sxz - sx * sz, yz = n * syz - sy * sz;
+  // fewer than three cells always lie on one line, and there the determinant is exactly 0
+  return {xz * yy - yz * xy, yz * xx - xz * xy, xx * yy - xy * xy};
+}
+
+/** Overlap of a column's occupied voxels with a free neighbour's [floor, ceiling], in voxels. */
+int overlapWith(const DenseMap& map, int ix, int iy, const Cell& neighbour)
+{
+  int overlap = 0;
+  for (int kz = neighbour.floorKey; kz < neighbour.ceilingKey; ++kz)
+    if (map.at(ix, iy, kz - map.z0) == Voxel::Occupied) ++overlap;
+  return overlap;
+}
+
+}  // namespace
+
+void findHeights(const DenseMap& map, double minClearance, DenseResult& result)
+{
+  int minRun = 1;
+  while (minRun < minClearance / map.resolution - 1e-6) ++minRun;
+
+  for (int iy = 0; iy < map.ny; ++iy)
+    for (int ix = 0; ix < map.nx; ++ix)
+    {
+      Cell& cell = result.at(ix, iy);
+      int run = 0;
+      for (int iz = 0; iz < map.nz; ++iz)
+      {
+        run = map.at(ix, iy, iz) == Voxel::Free ? run + 1 : 0;
+        if (run < minRun) continue;
+        // every voxel from the minRun-th on belongs to a kept run and is the highest one so far
+        if (!cell.free) cell.floorKey = map.z0 + iz + 1 - run;
+        cell.free = true;
+        cell.ceilingKey = map.z0 + iz + 1;
+      }
+      constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+      cell.floor = cell.free ? static_cast<float>(cell.floorKey * map.resolution) : kNone;
+      cell.ceiling = cell.free ? static_cast<float>(cell.ceilingKey * map.resolution) : kNone;
+    }
+}
+
+void fitSlope(int slopeWindow, double maxSlope, int ix, int iy, DenseResult& result)
+{
+  constexpr Exact kExactInDouble = static_cast<Exact>(1) << 53;
+  Cell& cell = result.at(ix, iy);
+  if (!cell.free) return;
+  const ExactSlope s = fitPlane(result, ix, iy, slopeWindow);
+  cell.hasSlope = s.d != 0;
+  if (!cell.hasSlope) return;
+
+  const auto a = static_cast<long double>(s.a), b = static_cast<long double>(s.b);
+  cell.slope = std::hypot(a, b) / static_cast<long double>(s.d);
+  // A plane along an axis is one division of exact integers, so even a tie is certain in double.
+  const Exact rise = magnitude(s.a) + magnitude(s.b);
+  const bool axisAligned = (s.a == 0 || s.b == 0) && rise < kExactInDouble && s.d < kExactInDouble;
+  if (axisAligned) cell.slope = static_cast<double>(rise) / static_cast<double>(s.d);
+  cell.slopeTooHigh = cell.slope > maxSlope;
+  cell.slopeTie = !axisAligned && std::abs(cell.slope - maxSlope) <= 1e-12L * maxSlope;
+}
+
+void fitSlopes(int slopeWindow, double maxSlope, DenseResult& result)
+{
+  for (int iy = 0; iy < result.ny; ++iy)
+    for (int ix = 0; ix < result.nx; ++ix) fitSlope(slopeWindow, maxSlope, ix, iy, result);
+}
+
+void markAerial(const DenseMap& map, double minOccupancy, DenseResult& result)
+{
+  for (int iy = 0; iy < map.ny; ++iy)
+    for (int ix = 0; ix < map.nx; ++ix)
+    {
+      Cell& cell = result.at(ix, iy);
+      cell.aerial = cell.free ? 0 : -1;
+      if (cell.free) continue;
+      int bestOverlap = 0, bestHeight = 1;
+      for (int dy = -1; dy <= 1; ++dy)
+        for (int dx = -1; dx <= 1; ++dx)
+        {
+          if (!result.inside(ix + dx, iy + dy) || !result.at(ix + dx, iy + dy).free) continue;
+          const Cell& neighbour = result.at(ix + dx, iy + dy);
+          const int height = neighbour.ceilingKey - neighbour.floorKey;
+          const int overlap = overlapWith(map, ix, iy, neighbour);
+          if (static_cast<long>(overlap) * bestHeight > static_cast<long>(bestOverlap) * height)
+            bestOverlap = overlap, bestHeight = height;
+        }
+      if (bestOverlap > 0 && bestOverlap >= minOccupancy * bestHeight - 1e-9 * bestHeight)
+        cell.aerial = static_cast<double>(bestOverlap) / bestHeight;
+    }
+}
+
+void markGround(double resolution, double maxStep, DenseResult& result)
+{
+  for (int iy = 0; iy < result.ny; ++iy)
+    for (int ix = 0; ix < result.nx; ++ix)
+    {
+      Cell& cell = result.at(ix, iy);
+      cell.ground = cell.aerial;
+      if (!cell.free) continue;
+      for (int dy = -1; dy <= 1; ++dy)
+        for (int dx = -1; dx <= 1; ++dx)
+        {
+          if (!result.inside(ix + dx, iy + dy) || !result.at(ix + dx, iy + dy).free) continue;
+          const int step = std::abs(result.at(ix + dx, iy + dy).floorKey - cell.floorKey);
+          // a whole number of voxels written in metres is rarely exact in double
+          if (maxStep > 0 && step > maxStep / resolution + 1e-6) cell.isStep = true;
+        }
+      if ((cell.hasSlope && cell.slopeTooHigh) || cell.isStep) cell.ground = 1;
+    }
+}
+
+DenseResult convert(const DenseMap& map, const freespace::ConversionParams& params)
+{
+  DenseResult result;
+  result.nx = map.nx, result.ny = map.ny;
+  result.cells.resize(static_cast<std::size_t>(map.nx) * static_cast<std::size_t>(map.ny));
+  findHeights(map, params.minClearance, result);
+  fitSlopes(params.slopeWindow, params.maxSlope, result);
+  markAerial(map, params.minOccupancy, result);
+  markGround(map.resolution, params.maxStep, result);
+  return result;
+}
+
+DenseStatistics statistics(const DenseResult& result)
+{
+  DenseStatistics count;
+  for (const Cell& cell : result.cells)
+  {
+    if (cell.aerial == 0)
+      ++count.free;
+    else if (cell.aerial > 0)
+      ++count.occupied;
+    else
+      ++count.unknown;
+    if (cell.aerial == 0 && cell.ground > 0) ++count.steep;
+    if (cell.free && !cell.hasSlope) ++count.slopeUnknown;
+  }
+  return count;
+}
+
+std::vector<int> projectFixed(const DenseMap& map, double zMin, double zMax)
+{
+  std::vector<int> cells;
+  for (int iy = 0; iy < map.ny; ++iy)
+    for (int ix = 0; ix < map.nx; ++ix)
+    {
+      bool anyFree = false, anyOccupied = false;
+      for (int iz = 0; iz < map.nz; ++iz)
+      {
+        const double bottom = map.z0 + iz, top = bottom + 1;  // in voxels
+        const bool overlaps =
+            top > zMin / map.resolution + 1e-6 && bottom < zMax / map.resolution - 1e-6;
+        if (!overlaps) continue;
+        anyFree = anyFree || map.at(ix, iy, iz) == Voxel::Free;
+        anyOccupied = anyOccupied || map.at(ix, iy, iz) == Voxel::Occupied;
+      }
+      cells.push_back(anyOccupied ? 1 : anyFree ? 0 : -1);
+    }
+  return cells;
+}
+
+}  // namespace mrpt_mapconv::oracle

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <mrpt_mapconv/freespace/ConversionParams.h>
+
+#include <cstddef>
+#include <vector>
+
+#include "DenseMap.h"
+
+namespace mrpt_mapconv::oracle
+{
+/** All that the conversion says about one cell, before rounding to float where that matters. */
+struct Cell
+{
+  bool free = false;             //!< a run is kept
+  int floorKey = 0;              //!< z key of the lowest kept run's first voxel
+  int ceilingKey = 0;            //!< z key one past the highest kept run's last voxel
+  float floor = 0, ceiling = 0;  //!< [m]; NaN where not free
+
+  bool hasSlope = false;      //!< at least three cells with a floor, not all on one line
+  long double slope = 0;      //!< [m/m]
+  bool slopeTooHigh = false;  //!< slope > maxSlope
+  bool slopeTie = false;      //!< so close to maxSlope that rounding in double may decide otherwise
+  bool isStep = false;        //!< maxStep is on and the floor differs by more from a neighbour's
+
+  double aerial = -1, ground = -1;  //!< 0 free, (0, 1] occupied, -1 unknown
+};
+
+/** One Cell per column of the map's bounding box, row by row from the lowest y. */
+struct DenseResult
+{
+  int nx = 0, ny = 0;
+  std::vector<Cell> cells;
+
+  bool inside(int ix, int iy) const { return ix >= 0 && iy >= 0 && ix < nx && iy < ny; }
+  Cell& at(int ix, int iy) { return cells[index(ix, iy)]; }
+  const Cell& at(int ix, int iy) const { return cells[index(ix, iy)]; }
+
+ private:
+  std::size_t index(int ix, int iy) const
+  {
+    return static_cast<std::size_t>(iy) * static_cast<std::size_t>(nx) +
+           static_cast<std::size_t>(ix);
+  }
+};
+
+struct DenseStatistics
+{
+  std::size_t free = 0, occupied = 0, unknown = 0, steep = 0, slopeUnknown = 0;
+};
+
+/** The conversion of the section 2, by plain loops over the dense array. */
+DenseResult convert(const DenseMap& map, const freespace::ConversionParams& params);
+
+// Its steps, in order; each fills its part of the cells.
+void findHeights(const DenseMap& map, double minClearance, DenseResult& result);
+void fitSlope(int slopeWindow, double maxSlope, int ix, int iy, DenseResult& result);  // one cell
+void fitSlopes(int slopeWindow, double maxSlope, DenseResult& result);
+void markAerial(const DenseMap& map, double minOccupancy, DenseResult& result);
+void markGround(double resolution, double maxStep, DenseResult& result);
+
+DenseStatistics statistics(const DenseResult& result);
+
+/** The fixed projection: 1, 0 or -1 per cell. zMin and zMax [m] may be infinite; an end within a
+ * millionth of a voxel of a face lies on that face. */
+std::vector<int> projectFixed(const DenseMap& map, double zMin, double zMax);
+
+}  // namespace mrpt_mapconv::oracle

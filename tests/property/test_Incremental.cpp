@@ -1,0 +1,203 @@
+// Layers that follow a changing map against converting the whole map anew.
+#include <gtest/gtest.h>
+#include <mrpt_mapconv/freespace/Conversion.h>
+#include <mrpt_mapconv/voxel/OctreeSource.h>
+
+#include <mutex>
+#include <string>
+
+#include "CompareLayers.h"
+#include "MapEditor.h"
+
+namespace
+{
+using namespace mrpt_mapconv;
+using namespace mrpt_mapconv::test;
+using Source = voxel::OctreeSource<octomap::OcTree>;
+
+freespace::ConversionParams randomParams(Rng& rng, double res)
+{
+  freespace::ConversionParams params;
+  params.minClearance = pick(rng, 0, 8) * res;
+  params.minOccupancy = chance(rng, 50) ? 0.25 * pick(rng, 0, 4) : uniform(rng, 0, 1);
+  params.slopeWindow = chance(rng, 90) ? pick(rng, 1, 6) : 40;
+  params.maxSlope = uniform(rng, 0, 3);
+  params.maxStep = chance(rng, 50) ? pick(rng, 1, 5) * res : 0;
+  return params;
+}
+
+/** The changed columns, sometimes with others around them or anywhere. */
+voxel::ColumnSet announced(Rng& rng, const voxel::ColumnSet& changed)
+{
+  if (chance(rng, 60) || changed.empty()) return changed;
+  voxel::ColumnSet superset = chance(rng, 50) ? changed.dilated(pick(rng, 1, 3)) : changed;
+  const grid::GridFrame around = changed.bounds(1.0);
+  for (int i = pick(rng, 0, 20); i > 0; --i)
+    superset.insert(pick(rng, around.x0 - 12, around.xEnd() + 12),
+                    pick(rng, around.y0 - 12, around.yEnd() + 12));
+  return superset;
+}
+
+/** Layers against full conversions of the same map, on every frame. */
+void expectFollows(const freespace::IncrementalLayers& followed, const Source& source)
+{
+  freespace::Layers full;
+  if (source.bounds()) full = freespace::convert(source, followed.params(), 1);
+  EXPECT_TRUE(isPaddedWith(followed.layers(), full));
+  EXPECT_TRUE(sameBits(followed.exact(source), full));
+  freespace::IncrementalLayers anew(followed.params(), 1);
+  anew.rebuild(source, followed.layers().frame());
+  EXPECT_TRUE(sameBits(followed.layers(), anew.layers()));
+}
+
+TEST(Incremental, RandomEditsEqualFullConversions)
+{
+  constexpr double kResolutions[] = {0.05, 0.07, 0.1, 0.3};
+  for (unsigned seed = 1; seed <= 120 && !HasFailure(); ++seed)
+  {
+    Rng rng(seed);
+    const double res = kResolutions[seed % 4];
+    const int origins[] = {-150, -50, -31, 0, 29900, -30050};
+    const int x0 = origins[pick(rng, 0, 5)], y0 = origins[pick(rng, 0, 5)];
+    MapEditor editor(rng, res, x0, y0, pick(rng, -100, 100));
+    const Source source(editor.tree());
+    const freespace::ConversionParams params = randomParams(rng, res);
+    freespace::IncrementalLayers one(params, 1), two(params, 2);
+    const voxel::ColumnSet everything = voxel::ColumnSet::of(freespace::frameOf(source));
+    one.update(source, everything);
+    two.rebuild(source);
+    expectFollows(one, source);
+    expectFollows(two, source);
+    for (int step = 1; step <= 30 && !HasFailure(); ++step)
+    {
+      const voxel::ColumnSet changed = announced(rng, editor.edit());
+      SCOPED_TRACE("seed " + std::to_string(seed) + ", step " + std::to_string(step) + ": " +
+                   editor.lastEdit() + "; " + text(params));
+      const grid::GridFrame before = one.layers().frame();
+      const bool frameChanged = one.update(source, changed);
+      EXPECT_EQ(frameChanged, one.layers().frame() != before);
+      expectFollows(one, source);
+      two.update(source, changed);
+      expectFollows(two, source);
+    }
+  }
+}
+
+/** Whoever forgets everything can begin again with a map that was there before. */
+TEST(Incremental, ClearedLayersFollowAgain)
+{
+  Rng rng(7);
+  MapEditor editor(rng, 0.1, -31, 4, 0);
+  const Source source(editor.tree());
+  freespace::IncrementalLayers followed({}, 1);
+  followed.rebuild(source);
+  followed.clear();
+  EXPECT_TRUE(followed.layers().frame().empty());
+  followed.update(source, voxel::ColumnSet::of(freespace::frameOf(source)));
+  EXPECT_FALSE(followed.layers().frame().empty());
+  expectFollows(followed, source);
+}
+
+struct Direction
+{
+  const char* name;
+  int dx, dy;
+};
+
+TEST(Incremental, LayingOutAnewStaysRareInAGrowingMap)
+{
+  for (const Direction d : {Direction{"east", 1, 0},
+                            {"west", -1, 0},
+                            {"north", 0, 1},
+                            {"south", 0, -1},
+                            {"south-west", -1, -1}})
+  {
+    SCOPED_TRACE(d.name);
+    octomap::OcTree tree(0.1);
+    const Source source(tree);
+    freespace::IncrementalLayers followed({}, 1);
+    int relayouts = 0;
+    for (int step = 0; step < 1000; ++step)
+    {
+      const int kx = 5 + step * d.dx, ky = -3 + step * d.dy;
+      for (int kz = 0; kz < 12; ++kz)
+        tree.setNodeValue(oracle::octomapKey(kx, ky, kz), kz == 0 ? 0.85f : -0.4f, true);
+      voxel::ColumnSet changed;
+      changed.insert(kx, ky);
+      if (followed.update(source, changed)) ++relayouts;
+    }
+    // by half each time: log(1000)/log(1.5) = 17 at most, plus the first few single cells
+    EXPECT_LE(relayouts, 20);
+    EXPECT_GE(relayouts, 1);
+    expectFollows(followed, source);
+  }
+}
+
+/** A voxel source that keeps account of the columns that are asked for. */
+class WatchedSource : public voxel::VoxelSource
+{
+ public:
+  explicit WatchedSource(const voxel::VoxelSource& source) : m_source(source) {}
+  double resolution() const override { return m_source.resolution(); }
+  std::optional<voxel::KeyRect> bounds() const override { return m_source.bounds(); }
+  void read(voxel::ColumnBlock& block) const override
+  {
+    {
+      const std::lock_guard<std::mutex> lock(m_mutex);
+      for (int y = 0; y < voxel::kBlockSide; ++y)
+        for (int x = 0; x < voxel::kBlockSide; ++x)
+          if (block.wanted()[static_cast<std::size_t>(y)] >> x & 1u)
+            m_asked.insert(block.key().x * voxel::kBlockSide + x,
+                           block.key().y * voxel::kBlockSide + y);
+    }
+    m_source.read(block);
+  }
+  voxel::ColumnSet& asked() const { return m_asked; }
+
+ private:
+  const voxel::VoxelSource& m_source;
+  mutable std::mutex m_mutex;
+  mutable voxel::ColumnSet m_asked;
+};
+
+/** Only the changed columns and the ring whose occupancy depends on them are read. */
+TEST(Incremental, ReadsOnlyWhatDependsOnTheChange)
+{
+  Rng rng(3);
+  octomap::OcTree tree(0.1);
+  for (int ky = -40; ky < 40; ++ky)
+    for (int kx = -40; kx < 40; ++kx)
+      for (int kz = 0; kz < 12; ++kz)
+        tree.setNodeValue(oracle::octomapKey(kx, ky, kz), kz == 0 || chance(rng, 1) ? 0.85f : -0.4f,
+                          true);
+  const Source source(tree);
+  const WatchedSource watched(source);
+  freespace::ConversionParams params;
+  params.slopeWindow = 5;
+  freespace::IncrementalLayers followed(params, 2);
+  followed.rebuild(watched);
+  for (int step = 0; step < 20; ++step)
+  {
+    watched.asked().clear();
+    voxel::ColumnSet changed;
+    for (int i = 0; i < 3; ++i)
+    {
+      const int kx = pick(rng, -40, 39), ky = pick(rng, -40, 39);
+      tree.setNodeValue(oracle::octomapKey(kx, ky, pick(rng, 1, 11)), 0.85f);
+      changed.insert(kx, ky);
+    }
+    EXPECT_FALSE(followed.update(watched, changed));
+    const voxel::ColumnSet allowed = changed.dilated(1);
+    for (int ky = -64; ky < 64; ++ky)
+      for (int kx = -64; kx < 64; ++kx)
+      {
+        EXPECT_TRUE(!watched.asked().contains(kx, ky) || allowed.contains(kx, ky))
+            << "column (" << kx << ", " << ky << ") in step " << step;
+        EXPECT_TRUE(!changed.contains(kx, ky) || watched.asked().contains(kx, ky))
+            << "column (" << kx << ", " << ky << ") in step " << step;
+      }
+    expectFollows(followed, source);
+  }
+}
+
+}  // namespace

@@ -1,0 +1,73 @@
+#include <gtest/gtest.h>
+#include <mrpt_mapconv/freespace/Layers.h>
+
+#include "HandMap.h"
+
+namespace
+{
+using namespace mrpt_mapconv;
+using freespace::Layers;
+using test::expectCells;
+using test::kNaN;
+
+TEST(Layers, BeginUnknown)
+{
+  const Layers layers(grid::GridFrame{0.1, -1, 4, 2, 1});
+  for (const auto* layer : {&layers.floor, &layers.ceiling, &layers.slope})
+    expectCells(*layer, {{kNaN, kNaN}});
+  for (const auto* layer : {&layers.aerial, &layers.ground}) expectCells(*layer, {{-1, -1}});
+}
+
+TEST(Layers, AreNamedInTheOrderOfExport)
+{
+  Layers layers(grid::GridFrame{0.1, 0, 0, 1, 1});
+  layers.floor.at(0, 0) = 1;
+  layers.ceiling.at(0, 0) = 2;
+  layers.slope.at(0, 0) = 3;
+  layers.aerial.at(0, 0) = 4;
+  layers.ground.at(0, 0) = 5;
+  const char* names[] = {"floor", "ceiling", "slope", "aerial", "ground"};
+  float value = 1;
+  for (const auto& [name, layer] : layers.named())
+  {
+    EXPECT_EQ(name, names[static_cast<int>(value) - 1]);
+    EXPECT_EQ(layer->at(0, 0), value);
+    value += 1;
+  }
+}
+
+TEST(Layers, LaidOnAnotherFrameKeepSharedCells)
+{
+  Layers layers(grid::GridFrame{0.1, 0, 0, 2, 2});
+  for (auto* layer :
+       {&layers.floor, &layers.ceiling, &layers.slope, &layers.aerial, &layers.ground})
+    layer->cells() = {1, 2, 3, 4};  // south row, then north row
+
+  const Layers moved = layers.onFrame(grid::GridFrame{0.1, 1, -1, 3, 2});
+  for (const auto& [name, layer] : moved.named())
+  {
+    SCOPED_TRACE(name);
+    const float unknown = name == "aerial" || name == "ground" ? -1.0f : kNaN;
+    EXPECT_EQ(layer->frame().x0, 1);
+    EXPECT_EQ(layer->frame().y0, -1);
+    expectCells(*layer, {{2, unknown, unknown}, {unknown, unknown, unknown}});
+  }
+}
+
+TEST(Layers, AreCounted)
+{
+  Layers layers(grid::GridFrame{0.1, 0, 0, 4, 2});
+  layers.aerial.cells() = {0, 0, 0, 0.6f, 1, -1, -1, -1};
+  layers.ground.cells() = {0, 1, 1, 0.6f, 1, -1, -1, -1};
+  layers.floor.cells() = {1, 1, 1, kNaN, kNaN, kNaN, kNaN, kNaN};
+  layers.ceiling.cells() = {3, 3, 3, kNaN, kNaN, kNaN, kNaN, kNaN};
+  layers.slope.cells() = {kNaN, 2.5f, kNaN, kNaN, kNaN, kNaN, kNaN, kNaN};
+  const freespace::LayerStatistics count = freespace::statistics(layers);
+  EXPECT_EQ(count.free, 3u);
+  EXPECT_EQ(count.occupied, 2u);
+  EXPECT_EQ(count.unknown, 3u);
+  EXPECT_EQ(count.steep, 2u);
+  EXPECT_EQ(count.slopeUnknown, 2u);
+}
+
+}  // namespace
