@@ -141,13 +141,16 @@ void IncrementalLayers::rebuild(const voxel::VoxelSource& source, const grid::Gr
 
 bool IncrementalLayers::update(const voxel::VoxelSource& source, const voxel::ColumnSet& changed)
 {
-  if (changed.empty()) return false;
-  const grid::GridFrame frame = grown(m_layers.frame(), changed.bounds(source.resolution()));
+  // Columns of a superset in which nothing is known and nothing was do not make the frame grow.
+  const auto known = knownFrame(source);
+  const grid::GridFrame old = m_layers.frame();
+  const auto inside = changed.clipped(known ? unite(old, *known) : old);
+  if (inside.empty()) return false;
+  const grid::GridFrame frame = grown(old, inside.bounds(source.resolution()));
   checkSize(frame);
-  const bool larger = frame != m_layers.frame();
-  if (larger) m_layers = m_layers.onFrame(frame);
-  convertColumns(source, changed, m_params, m_threads, m_layers);
-  return larger;
+  if (frame != old) m_layers = m_layers.onFrame(frame);
+  convertColumns(source, inside, m_params, m_threads, m_layers);
+  return frame != old;
 }
 
 void IncrementalLayers::clear() { m_layers = Layers(); }

@@ -196,7 +196,7 @@ void CFreeSpaceGridMap2D::getVisualizationInto(mrpt::opengl::CSetOfObjects& scen
   const auto layers = exactLayers();
   if (layers.frame().empty()) return;
   const auto& shown = m_conversion.robot == maps::Robot::Ground ? layers.ground : layers.aerial;
-  maps::drawOccupancy(shown, maps::heightBelow(layers), scene);
+  maps::drawOccupancy(shown, maps::heightBelow(layers), !renderingOptions.showFloor, scene);
   maps::drawLayers(layers, renderingOptions, scene);
 }
 

@@ -1,4 +1,3 @@
-#include <mrpt/img/color_maps.h>
 #include <mrpt/opengl/CMesh.h>
 #include <mrpt_mapconv/grid/GridMap.h>
 #include <mrpt_mapconv/maps/LayerScene.h>
@@ -6,53 +5,55 @@
 #include <algorithm>
 #include <cmath>
 
+#include "../grid/PictureColors.h"
+
 namespace mrpt_mapconv::maps
 {
 namespace
 {
-struct Range
+float lowest(const grid::Layer<float>& layer)
 {
-  float min = 0, max = 0;
-};
-
-Range rangeOf(const grid::Layer<float>& layer)
-{
-  Range range{INFINITY, -INFINITY};
+  float low = INFINITY;
   for (const float value : layer.cells())
-    if (std::isfinite(value)) range = {std::min(range.min, value), std::max(range.max, value)};
-  return range.min <= range.max ? range : Range{};
+    if (value < low) low = value;
+  return std::isfinite(low) ? low : 0.0f;
 }
 
-/** A texture of the surface's slopes: steep is red. */
-mrpt::img::CImage slopeTexture(const grid::Layer<float>& slope)
+/** The surface's colours, as in the layers' pictures. MRPT's mesh has x along the rows of its
+ * matrices and of its texture. */
+mrpt::img::CImage texture(const grid::Layer<float>& values, bool slopes)
 {
-  constexpr float steepest = 2;  // R_MS in the paper's Table I
-  const grid::GridFrame& frame = slope.frame();
-  mrpt::img::CImage image(frame.width, frame.height, mrpt::img::CH_RGB);
+  namespace picture = grid::picture;
+  const auto range = slopes ? picture::slopeRange(values) : picture::heightRange(values);
+  const grid::GridFrame& frame = values.frame();
+  mrpt::img::CImage image(frame.height, frame.width, mrpt::img::CH_RGB);
   for (std::int32_t y = 0; y < frame.height; ++y)
     for (std::int32_t x = 0; x < frame.width; ++x)
     {
-      const float value = slope.at(x, y);
-      const auto color = mrpt::img::colormap(
-          mrpt::img::cmJET, std::isfinite(value) ? std::min(value / steepest, 1.0f) : 0.0f);
-      image.setPixel(x, y, mrpt::img::TColor(color));
+      const float value = values.at(x, y);
+      if (!std::isfinite(value))
+        image.setPixel(y, x, picture::kNoDataColor);
+      else if (slopes)
+        image.setPixel(y, x, picture::slopeColor(range.position(value)));
+      else
+        image.setPixel(y, x, picture::heightColor(range.position(value)));
     }
   return image;
 }
 
 /** A surface through the cells' centres; cells without a height leave a hole. */
-mrpt::opengl::CMesh::Ptr surface(const grid::Layer<float>& height, const grid::Layer<float>* slope)
+mrpt::opengl::CMesh::Ptr surface(const grid::Layer<float>& height,
+                                 const grid::Layer<float>& colouredBy, bool slopes)
 {
   const grid::GridFrame& frame = height.frame();
-  const float lowest = rangeOf(height).min;
-  // MRPT's mesh has x along the rows of its matrices
+  const float filler = lowest(height);
   mrpt::math::CMatrixF z(frame.width, frame.height), mask(frame.width, frame.height);
   for (std::int32_t y = 0; y < frame.height; ++y)
     for (std::int32_t x = 0; x < frame.width; ++x)
     {
       const float value = height.at(x, y);
       mask(x, y) = std::isfinite(value) ? 1.0f : 0.0f;
-      z(x, y) = std::isfinite(value) ? value : lowest;
+      z(x, y) = std::isfinite(value) ? value : filler;
     }
   auto mesh = mrpt::opengl::CMesh::Create();
   const auto half = 0.5 * frame.resolution;
@@ -60,13 +61,7 @@ mrpt::opengl::CMesh::Ptr surface(const grid::Layer<float>& height, const grid::L
                    static_cast<float>(frame.xMax() - half));
   mesh->setYBounds(static_cast<float>(frame.yMin() + half),
                    static_cast<float>(frame.yMax() - half));
-  if (slope)
-    mesh->assignImageAndZ(slopeTexture(*slope), z);
-  else
-  {
-    mesh->setZ(z);
-    mesh->enableColorFromZ(true, mrpt::img::cmJET);
-  }
+  mesh->assignImageAndZ(texture(colouredBy, slopes), z);
   mesh->setMask(mask);
   return mesh;
 }
@@ -74,7 +69,7 @@ mrpt::opengl::CMesh::Ptr surface(const grid::Layer<float>& height, const grid::L
 
 double heightBelow(const freespace::Layers& layers)
 {
-  return rangeOf(layers.floor).min - layers.frame().resolution;
+  return lowest(layers.floor) - layers.frame().resolution;
 }
 
 void drawLayers(const freespace::Layers& layers, const TLayerSceneOptions& options,
@@ -83,23 +78,27 @@ void drawLayers(const freespace::Layers& layers, const TLayerSceneOptions& optio
   if (layers.frame().width < 2 || layers.frame().height < 2) return;  // no surface
   if (options.showFloor)
   {
-    auto floor = surface(layers.floor, options.colorBySlope ? &layers.slope : nullptr);
+    auto floor = options.colorBySlope ? surface(layers.floor, layers.slope, true)
+                                      : surface(layers.floor, layers.floor, false);
     floor->setName("floor");
     scene.insert(floor);
   }
   if (options.showCeiling)
   {
-    auto ceiling = surface(layers.ceiling, nullptr);
+    auto ceiling = surface(layers.ceiling, layers.ceiling, false);
     ceiling->setName("ceiling");
     scene.insert(ceiling);
   }
 }
 
-void drawOccupancy(const grid::Layer<float>& occupancy, double z,
+void drawOccupancy(const grid::Layer<float>& occupancy, double z, bool showFree,
                    mrpt::opengl::CSetOfObjects& scene)
 {
+  grid::Layer<float> shown = occupancy;
+  if (!showFree)
+    std::replace(shown.cells().begin(), shown.cells().end(), grid::kFree, grid::kUnknown);
   mrpt::maps::COccupancyGridMap2D map;
-  grid::copyToGridMap(occupancy, map);
+  grid::copyToGridMap(shown, map);
   auto plane = mrpt::opengl::CSetOfObjects::Create();
   map.getVisualizationInto(*plane);
   plane->setLocation(0, 0, z);

@@ -201,4 +201,21 @@ TEST(IncrementalLayers, ClearForgetsEverything)
   EXPECT_TRUE(layers.layers().aerial.cells().empty());
 }
 
+TEST(IncrementalLayers, AnnouncedColumnsWithNothingInThemDoNotMakeTheFrameGrow)
+{
+  HandMap map(1.0);
+  map.column(0, 0, 0, "#fff");
+  IncrementalLayers followed;
+  voxel::ColumnSet changed;
+  changed.insert(0, 0);
+  changed.insert(2000, 1000);
+  changed.insert(-30000, 30000);
+  EXPECT_TRUE(followed.update(map.source(), changed));
+  EXPECT_EQ(followed.layers().frame(), (grid::GridFrame{1.0, 0, 0, 1, 1}));
+  voxel::ColumnSet nothing;
+  nothing.insert(500, 500);
+  EXPECT_FALSE(followed.update(map.source(), nothing));
+  EXPECT_EQ(followed.layers().frame().size(), 1u);
+}
+
 }  // namespace

@@ -273,6 +273,11 @@ TEST(CFreeSpaceGridMap2D_io, DrawsFloorCeilingAndGrid)
   map.getVisualizationInto(both);
   EXPECT_TRUE(both.getByName("ceiling"));
 
+  map.renderingOptions.colorBySlope = true;  // its texture must have the shape of the mesh
+  mrpt::opengl::CSetOfObjects slopes;
+  EXPECT_NO_THROW(map.getVisualizationInto(slopes));
+  EXPECT_TRUE(slopes.getByName("floor"));
+
   map.genericMapParams.enableSaveAs3DObject = false;
   mrpt::opengl::CSetOfObjects nothing;
   map.getVisualizationInto(nothing);

@@ -7,7 +7,6 @@
 #include <octomap/octomap.h>
 
 #include <algorithm>
-#include <array>
 #include <random>
 #include <stdexcept>
 #include <string>

@@ -18,11 +18,14 @@ struct TLayerSceneOptions
 void drawLayers(const freespace::Layers& layers, const TLayerSceneOptions& options,
                 mrpt::opengl::CSetOfObjects& scene);
 
-/** Adds an occupancy layer as MRPT draws a grid: a textured plane at height z [m]. */
-void drawOccupancy(const grid::Layer<float>& occupancy, double z,
+/** Adds an occupancy layer as MRPT draws a grid: a textured plane at height z [m], in which unknown
+ * cells are transparent.
+ * \param showFree false where a floor is drawn above: viewers cannot tell two sheets apart that lie
+ * close together and far away */
+void drawOccupancy(const grid::Layer<float>& occupancy, double z, bool showFree,
                    mrpt::opengl::CSetOfObjects& scene);
 
-/** A voxel below the lowest floor [m]: where the occupancy does not hide in the floor's surface. */
+/** A voxel below the lowest floor [m], where the occupancy is drawn under the floor's surface. */
 double heightBelow(const freespace::Layers& layers);
 
 }  // namespace mrpt_mapconv::maps

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <CLI/App.hpp>
+#include <functional>
+#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace mapconv
+{
+/** Runs a subcommand whose options have been parsed; gives the program's exit status. */
+using Command = std::function<int()>;
+
+/** Options that are wrong in a way that only shows when they are seen together: exit status 2. */
+struct UsageError : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+/** Each declares a subcommand and its options on `app` and returns what runs it. @{ */
+std::pair<CLI::App*, Command> addConvert(CLI::App& app);
+std::pair<CLI::App*, Command> addProject(CLI::App& app);
+std::pair<CLI::App*, Command> addInfo(CLI::App& app);
+std::pair<CLI::App*, Command> addRun(CLI::App& app, std::vector<std::string> program);
+std::pair<CLI::App*, Command> addSampleMap(CLI::App& app);
+/** @} */
+
+/** Takes the program and its arguments off "mapconv run -- PROGRAM ARGS…": they are not ours, and
+ * the parser would take what looks like an option of ours. Without "run" nothing is taken. */
+std::vector<std::string> takeProgram(std::vector<std::string>& arguments);
+
+}  // namespace mapconv

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <mrpt_mapconv/maps/ConversionOptions.h>
+#include <mrpt_mapconv/maps/VoxelInsertion.h>
+
+#include <string>
+
+namespace mapconv
+{
+/** What an ini file may set. */
+struct IniOptions
+{
+  mrpt_mapconv::maps::TConversionOptions conversion;     //!< section [conversion]
+  mrpt_mapconv::maps::TVoxelInsertionOptions insertion;  //!< section [insertion]
+};
+
+/** Reads an ini file; what is not in it keeps its default. Warns about sections and keys that mean
+ * nothing here.
+ * \exception std::runtime_error in one line naming the file and what is wrong with it: missing,
+ * unreadable, a line that is no ini, or (with section, key and value) a value that is not valid */
+IniOptions readIni(const std::string& path);
+
+}  // namespace mapconv

@@ -1,0 +1,156 @@
+#include "InputMap.h"
+
+#include <mrpt/maps/CSimpleMap.h>
+#include <mrpt/obs/CActionCollection.h>
+#include <mrpt/obs/CRawlog.h>
+#include <mrpt/obs/CSensoryFrame.h>
+#include <mrpt_mapconv/maps/ObjectFile.h>
+#include <mrpt_mapconv/maps/ObservationPoints.h>
+#include <mrpt_mapconv/maps/OctoMapAccess.h>
+#include <mrpt_mapconv/maps/ScanLog.h>
+#include <mrpt_mapconv/voxel/OctreeFile.h>
+#include <mrpt_mapconv/voxel/OctreeSource.h>
+#include <octomap/OcTree.h>
+
+#include <stdexcept>
+#include <vector>
+
+#include "Console.h"
+#include "InputFile.h"
+#include "Json.h"
+
+namespace mapconv
+{
+using namespace mrpt_mapconv;
+
+namespace
+{
+bool isRawlogEntry(const mrpt::serialization::CSerializable& object)
+{
+  return dynamic_cast<const mrpt::obs::CObservation*>(&object) ||
+         dynamic_cast<const mrpt::obs::CSensoryFrame*>(&object) ||
+         dynamic_cast<const mrpt::obs::CActionCollection*>(&object) ||
+         dynamic_cast<const mrpt::obs::CRawlog*>(&object);
+}
+
+void warnOfUnusedOptions(const InputRequest& request, double resolution)
+{
+  if (request.resolution)
+    printWarning("--resolution " + jsonNumber(*request.resolution) + " has no effect: " +
+                 request.file + " has voxels of " + jsonNumber(resolution) + " m");
+  if (request.staticSensor)
+    printWarning("--static has no effect: " + request.file + " is no rawlog");
+}
+
+std::string describe(const std::string& kind, const std::vector<maps::PosedObservation>& scans)
+{
+  return kind + " (" + std::to_string(scans.size()) + (scans.size() == 1 ? " scan)" : " scans)");
+}
+
+std::unique_ptr<octomap::OcTree> buildTree(const std::vector<maps::PosedObservation>& scans,
+                                           const InputRequest& request, Progress& progress)
+{
+  auto tree =
+      std::make_unique<octomap::OcTree>(request.resolution.value_or(InputMap::kDefaultResolution));
+  const ConsoleLog log;
+  maps::PointWarnings warnings(&log);
+  std::size_t count = 0;
+  for (const auto& [observation, robotPose] : scans)
+  {
+    progress.done(static_cast<double>(count++) / static_cast<double>(scans.size()));
+    if (!request.insertion.insert2D && !maps::is3DScan(*observation)) continue;
+    const auto points = maps::sensorPoints(*observation, robotPose, &warnings);
+    if (points && !points->points.empty())
+      maps::insertScan(*tree, *points, request.insertion, &warnings);
+  }
+  if (tree->size() == 0)
+    throw std::runtime_error(request.file + ": none of its " + std::to_string(scans.size()) +
+                             " scans has a usable point");
+  return tree;
+}
+}  // namespace
+
+InputMap::InputMap(const InputRequest& request, Progress& progress)
+{
+  progress.stage("reading " + request.file);
+  switch (kindOf(request.file))
+  {
+    case FileKind::Octree:
+      readTree(request);
+      break;
+    case FileKind::Rawlog:
+      buildFromRawlog(request, progress);
+      break;
+    case FileKind::SimpleMap:
+      buildFromSimpleMap(request, progress);
+      break;
+    case FileKind::Object:
+      readObject(request, progress);
+      break;
+  }
+}
+
+InputMap::~InputMap() = default;
+
+void InputMap::readTree(const InputRequest& request)
+{
+  m_tree = voxel::readOctreeFile(request.file);
+  if (m_tree->size() == 0)
+    throw std::runtime_error(request.file + ": the map is empty: not one voxel is known");
+  m_source = voxel::makeOctreeSource(*m_tree);
+  m_description = "OctoMap file (" + m_tree->getTreeType() + ")";
+  warnOfUnusedOptions(request, m_source->resolution());
+}
+
+void InputMap::readObject(const InputRequest& request, Progress& progress)
+{
+  maps::ObjectFile file(request.file);
+  std::string others;
+  while (const auto object = file.next())
+  {
+    if (isRawlogEntry(*object)) return buildFromRawlog(request, progress);
+    if (dynamic_cast<const mrpt::maps::CSimpleMap*>(object.get()))
+      return buildFromSimpleMap(request, progress);
+    const std::string name = object->GetRuntimeClass()->className;
+    if (const auto* tree = maps::octreeIn(*object))
+    {
+      if (tree->size() == 0)
+        throw std::runtime_error(request.file + ": the octomap in its " + name +
+                                 " is empty: not one voxel is known");
+      m_object = object;
+      m_source = voxel::makeOctreeSource(*tree);
+      m_description = name + " (" + tree->getTreeType() + ")";
+      warnOfUnusedOptions(request, m_source->resolution());
+      return;
+    }
+    others += (others.empty() ? "a " : ", a ") + name;
+  }
+  throw std::runtime_error(request.file + ": holds no octomap and no scans, but " +
+                           (others.empty() ? "no object at all" : others));
+}
+
+void InputMap::buildFromRawlog(const InputRequest& request, Progress& progress)
+{
+  const ConsoleLog log;
+  maps::RawlogOptions options;
+  options.staticSensor = request.staticSensor;
+  const auto scans = maps::readRawlog(request.file, options, &log);
+  progress.stage("inserting the scans of " + request.file);
+  m_tree = buildTree(scans, request, progress);
+  m_source = voxel::makeOctreeSource(*m_tree);
+  m_description = describe("rawlog", scans);
+}
+
+void InputMap::buildFromSimpleMap(const InputRequest& request, Progress& progress)
+{
+  if (request.staticSensor)
+    printWarning("--static has no effect: " + request.file + " is no rawlog");
+  const ConsoleLog log;
+  const auto scans = maps::readSimpleMap(request.file, &log);
+  progress.stage("inserting the scans of " + request.file);
+  m_tree = buildTree(scans, request, progress);
+  m_source = voxel::makeOctreeSource(*m_tree);
+  m_description = describe("simplemap", scans);
+}
+
+}  // namespace mapconv

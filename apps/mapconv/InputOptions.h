@@ -1,0 +1,26 @@
+#pragma once
+
+#include <CLI/App.hpp>
+#include <optional>
+#include <string>
+
+#include "InputMap.h"
+
+namespace mapconv
+{
+/** The options that every subcommand shares that makes 2D maps of an input. */
+struct InputOptions
+{
+  InputRequest input;
+  std::string iniFile;  //!< empty: none
+  std::string outputDir;
+  int threads = 0;
+  bool json = false;
+};
+
+void addInputOptions(CLI::App& app, InputOptions& options);
+
+/** Accepts whatever number the parser reads but NaN. */
+CLI::Validator isNumber();
+
+}  // namespace mapconv

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+namespace mapconv
+{
+/** `text` as a JSON string; bytes that are no UTF-8 become U+FFFD, since JSON has no others. */
+std::string jsonString(std::string_view text);
+/** The shortest number that reads back as the same double; null for NaN and infinity, which JSON
+ * does not have. */
+std::string jsonNumber(double value);
+
+/** A JSON object that keeps its members in the order in which they were added. */
+class JsonObject
+{
+ public:
+  template <class Value>
+  JsonObject& add(const std::string& key, const Value& value)
+  {
+    if constexpr (std::is_same_v<Value, JsonObject>)
+      return addRaw(key, value.text());
+    else if constexpr (std::is_same_v<Value, bool>)
+      return addRaw(key, value ? "true" : "false");
+    else if constexpr (std::is_floating_point_v<Value>)
+      return addRaw(key, jsonNumber(value));
+    else if constexpr (std::is_integral_v<Value>)
+      return addRaw(key, std::to_string(value));
+    else
+      return addRaw(key, jsonString(value));
+  }
+  JsonObject& add(const std::string& key, const std::vector<std::string>& values);
+
+  /** The object on one line, without a line's end. */
+  std::string text() const { return "{" + m_members + "}"; }
+
+ private:
+  JsonObject& addRaw(const std::string& key, const std::string& value);
+
+  std::string m_members;
+};
+
+}  // namespace mapconv

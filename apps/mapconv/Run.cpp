@@ -1,0 +1,77 @@
+#include <dlfcn.h>
+#include <mrpt_mapconv/freespace/Conversion.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <cerrno>
+#include <cstdlib>
+#include <filesystem>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "Command.h"
+
+namespace mapconv
+{
+namespace
+{
+/** The library that this program itself runs with. */
+std::string libraryPath()
+{
+  Dl_info info{};
+  const auto* symbol = reinterpret_cast<const void*>(&mrpt_mapconv::freespace::frameOf);
+  if (::dladdr(symbol, &info) == 0 || !info.dli_fname)
+    throw std::runtime_error("cannot find out where libmrpt_mapconv.so lies");
+  return std::filesystem::canonical(info.dli_fname).string();
+}
+
+void preload(const std::string& library)
+{
+  if (library.find_first_of(" :") != std::string::npos)
+    throw std::runtime_error("'" + library +
+                             "' cannot be preloaded: its path holds a space or a colon");
+  const char* others = std::getenv("LD_PRELOAD");
+  const std::string all = others && *others ? library + ":" + others : library;
+  ::setenv("LD_PRELOAD", all.c_str(), 1);
+}
+
+int run(std::vector<std::string> words)
+{
+  if (words.empty()) throw UsageError("run: which program? (see mapconv run --help)");
+  preload(libraryPath());
+  std::vector<char*> argv;
+  for (std::string& word : words) argv.push_back(word.data());
+  argv.push_back(nullptr);
+  ::execvp(argv[0], argv.data());
+  throw std::runtime_error("cannot run '" + words.front() +
+                           "': " + std::generic_category().message(errno));
+}
+}  // namespace
+
+std::vector<std::string> takeProgram(std::vector<std::string>& arguments)
+{
+  if (arguments.empty() || arguments.front() != "run" || arguments.size() < 2) return {};
+  auto begin = arguments.begin() + 1;
+  const bool option =
+      !begin->empty() && begin->front() == '-' && *begin != "--";  // one of ours: --help
+  if (option) return {};
+  std::vector<std::string> program(*begin == "--" ? begin + 1 : begin, arguments.end());
+  arguments.erase(begin, arguments.end());
+  return program;
+}
+
+std::pair<CLI::App*, Command> addRun(CLI::App& app, std::vector<std::string> program)
+{
+  CLI::App* sub = app.add_subcommand(
+      "run",
+      "Runs an MRPT program with this library's map classes loaded; its exit status is ours");
+  sub->footer(
+      "Usage and example:\n  mapconv run -- PROGRAM ARGS...\n"
+      "  mapconv run -- observations2map config.ini map.simplemap out\n"
+      "The library is put in front of LD_PRELOAD.");
+  return {sub, [program = std::move(program)] { return run(program); }};
+}
+
+}  // namespace mapconv

@@ -1,0 +1,233 @@
+// Speed and memory of the conversion, as ratios to OctoMap's own leaf iterator walking the same
+// tree in this process, with the same compiler flags. Each figure is the best of seven, ours and
+// the baseline measured in turn.
+//
+//   bench_conversion [--benchmark_filter=outdoor|geb079|small]
+#include <benchmark/benchmark.h>
+#include <malloc.h>
+#include <mrpt_mapconv/freespace/Conversion.h>
+#include <mrpt_mapconv/freespace/FixedProjection.h>
+#include <mrpt_mapconv/sim/SampleMaps.h>
+#include <mrpt_mapconv/voxel/OctreeSource.h>
+#include <octomap/OcTree.h>
+
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <functional>
+#include <limits>
+#include <new>
+#include <random>
+
+using namespace mrpt_mapconv;
+
+// --- memory: every allocation of this process, the library's included, passes here
+namespace
+{
+std::atomic<std::size_t> allocated{0}, peak{0};
+
+void* counted(void* memory)
+{
+  if (!memory) throw std::bad_alloc();
+  const std::size_t now = allocated += malloc_usable_size(memory);
+  std::size_t before = peak;
+  while (before < now && !peak.compare_exchange_weak(before, now)) continue;
+  return memory;
+}
+void release(void* memory)
+{
+  if (memory) allocated -= malloc_usable_size(memory);
+  std::free(memory);
+}
+}  // namespace
+
+void* operator new(std::size_t size) { return counted(std::malloc(size)); }
+void* operator new[](std::size_t size) { return counted(std::malloc(size)); }
+void operator delete(void* memory) noexcept { release(memory); }
+void operator delete[](void* memory) noexcept { release(memory); }
+void operator delete(void* memory, std::size_t) noexcept { release(memory); }
+void operator delete[](void* memory, std::size_t) noexcept { release(memory); }
+
+namespace
+{
+using Task = std::function<void()>;
+
+double seconds(const Task& task)
+{
+  const auto begin = std::chrono::steady_clock::now();
+  task();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+/** A map under test and its baseline. */
+struct Subject
+{
+  std::unique_ptr<octomap::OcTree> tree;
+  voxel::OctreeSource<octomap::OcTree> source{*tree};
+
+  explicit Subject(std::unique_ptr<octomap::OcTree> octree) : tree(std::move(octree)) {}
+
+  void walkLeaves() const
+  {
+    std::size_t occupied = 0;
+    for (auto it = tree->begin_leafs(), end = tree->end_leafs(); it != end; ++it)
+      occupied += tree->isNodeOccupied(*it);
+    benchmark::DoNotOptimize(occupied);
+  }
+  /** The loop that a fixed projection of the whole height would be with OctoMap's own means. */
+  void walkLeavesInBox() const
+  {
+    std::size_t occupied = 0;
+    const octomap::OcTreeKey min(0, 0, 0), max(65535, 65535, 65535);
+    for (auto it = tree->begin_leafs_bbx(min, max), end = tree->end_leafs_bbx(); it != end; ++it)
+      occupied += tree->isNodeOccupied(*it);
+    benchmark::DoNotOptimize(occupied);
+  }
+};
+
+/** Runs ours and the baseline in turn; reports the best times' ratio. */
+void compare(benchmark::State& state, const Task& ours, const Task& baseline, const char* ratio)
+{
+  double best = std::numeric_limits<double>::max(), bestBaseline = best;
+  for (auto _ : state)
+  {
+    bestBaseline = std::min(bestBaseline, seconds(baseline));
+    const double time = seconds(ours);
+    best = std::min(best, time);
+    state.SetIterationTime(time);
+  }
+  state.counters["best_ms"] = 1e3 * best;
+  state.counters["baseline_ms"] = 1e3 * bestBaseline;
+  state.counters[ratio] = best / bestBaseline;
+}
+
+voxel::ColumnSet centredSquare(const grid::GridFrame& frame, double share)
+{
+  const auto side = static_cast<std::int32_t>(std::sqrt(share * static_cast<double>(frame.size())));
+  const std::int32_t height = std::min(side, frame.height);
+  const auto width = static_cast<std::int32_t>(share * static_cast<double>(frame.size()) / height);
+  return voxel::ColumnSet::of({frame.resolution, frame.x0 + (frame.width - width) / 2,
+                               frame.y0 + (frame.height - height) / 2, width, height});
+}
+
+voxel::ColumnSet scattered(const grid::GridFrame& frame, double share)
+{
+  std::mt19937 random(1);
+  voxel::ColumnSet set;
+  const auto wanted = static_cast<std::size_t>(share * static_cast<double>(frame.size()));
+  for (std::size_t count = 0; count < wanted; ++count)
+    set.insert(
+        frame.x0 + static_cast<std::int32_t>(random() % static_cast<unsigned>(frame.width)),
+        frame.y0 + static_cast<std::int32_t>(random() % static_cast<unsigned>(frame.height)));
+  return set;
+}
+
+void convertAll(benchmark::State& state, const Subject& map, int threads)
+{
+  compare(
+      state, [&] { benchmark::DoNotOptimize(freespace::convert(map.source, {}, threads)); },
+      [&] { map.walkLeaves(); }, "ratio_to_leaf_walk");
+  state.counters["leaves"] = static_cast<double>(map.tree->getNumLeafNodes());
+}
+
+void projectAll(benchmark::State& state, const Subject& map)
+{
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  compare(
+      state,
+      [&]
+      { benchmark::DoNotOptimize(freespace::projectFixed(map.source, -infinite, infinite, 1)); },
+      [&] { map.walkLeavesInBox(); }, "ratio_to_leafs_bbx");
+}
+
+void updatePart(benchmark::State& state, const Subject& map, bool inOneSquare)
+{
+  freespace::IncrementalLayers layers({}, 1);
+  layers.rebuild(map.source);
+  const auto& frame = layers.layers().frame();
+  const auto changed = inOneSquare ? centredSquare(frame, 0.01) : scattered(frame, 0.01);
+  compare(
+      state, [&] { layers.update(map.source, changed); },
+      [&] { benchmark::DoNotOptimize(freespace::convert(map.source, {}, 1)); }, "ratio_to_full");
+  state.counters["columns"] = static_cast<double>(changed.size());
+}
+
+void memoryOf(benchmark::State& state, const Subject& map, int threads)
+{
+  double extra = 0, layersSize = 0;
+  for (auto _ : state)
+  {
+    const std::size_t before = allocated;
+    peak = before;
+    const auto layers = freespace::convert(map.source, {}, threads);
+    layersSize = 5.0 * sizeof(float) * static_cast<double>(layers.frame().size());
+    extra = static_cast<double>(peak - before) - layersSize;
+  }
+  state.counters["layers_MB"] = layersSize / 1e6;
+  state.counters["extra_MB"] = extra / 1e6;
+}
+
+/** The map that a benchmark asks for; made or read when the first one needs it, one at a time. */
+const Subject& subject(const std::string& name)
+{
+  static std::string held;
+  static std::unique_ptr<Subject> map;
+  if (held == name) return *map;
+  map.reset();
+  if (name == "geb079")
+  {
+    auto tree = std::make_unique<octomap::OcTree>(0.1);
+    if (!tree->readBinary(std::string(MRPT_MAPCONV_SHARED_DIR) + "/geb079.bt"))
+      throw std::runtime_error("geb079.bt cannot be read");
+    map = std::make_unique<Subject>(std::move(tree));
+  }
+  else
+  {
+    sim::OutdoorOptions options;
+    if (name == "small") options.size = 20;
+    map = std::make_unique<Subject>(sim::outdoorMap(options));
+  }
+  held = name;
+  return *map;
+}
+
+void registerAll(const std::string& map)
+{
+  const auto add = [&](const std::string& what, auto run)
+  {
+    benchmark::RegisterBenchmark((map + "/" + what).c_str(),
+                                 [=](benchmark::State& state) { run(state, subject(map)); })
+        ->Iterations(7)
+        ->UseManualTime()
+        ->Unit(benchmark::kMillisecond);
+  };
+  add("convert/1_thread", [](auto& state, auto& m) { convertAll(state, m, 1); });
+  add("convert/2_threads", [](auto& state, auto& m) { convertAll(state, m, 2); });
+  add("project_fixed/1_thread", [](auto& state, auto& m) { projectAll(state, m); });
+  add("update_1_percent/square", [](auto& state, auto& m) { updatePart(state, m, true); });
+  add("update_1_percent/scattered", [](auto& state, auto& m) { updatePart(state, m, false); });
+  const auto addMemory = [&](const std::string& what, int threads)
+  {
+    benchmark::RegisterBenchmark((map + "/" + what).c_str(), [=](benchmark::State& state)
+                                 { memoryOf(state, subject(map), threads); })
+        ->Iterations(1)
+        ->Unit(benchmark::kMillisecond);
+  };
+  addMemory("memory/1_thread", 1);
+  addMemory("memory/2_threads", 2);
+}
+}  // namespace
+
+int main(int argc, char** argv)
+{
+  registerAll("outdoor");
+  if (std::filesystem::exists(std::string(MRPT_MAPCONV_SHARED_DIR) + "/geb079.bt"))
+    registerAll("geb079");
+  registerAll("small");
+  benchmark::Initialize(&argc, argv);
+  if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
+  benchmark::RunSpecifiedBenchmarks();
+  return 0;
+}

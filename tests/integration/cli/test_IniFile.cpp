@@ -1,0 +1,121 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "HandMap.h"
+#include "Program.h"
+#include "StrictJson.h"
+#include "unit/grid/TempDir.h"
+
+using namespace mrpt_mapconv::testing;
+
+namespace
+{
+/** Converts the hand map with an ini file of this text. */
+class IniFile : public ::testing::Test
+{
+ protected:
+  IniFile() { HandMap::write(m_dir.path("hand.bt")); }
+
+  Outcome convertWith(const std::string& ini, std::vector<std::string> flags = {})
+  {
+    std::ofstream(m_dir.path("my.ini")) << ini;
+    flags.insert(flags.begin(), {"convert", m_dir.path("hand.bt"), "-o", m_dir.path("out"), "-c",
+                                 m_dir.path("my.ini"), "--json"});
+    return mapconv(flags);
+  }
+
+  TempDir m_dir;
+};
+}  // namespace
+
+TEST_F(IniFile, setsTheParameters)
+{
+  const auto run = convertWith(
+      "[conversion]\nminClearance = 0.5 // comment\nminOccupancy=0.25\nslopeWindow = 3\n"
+      "maxSlope = 1.5 ; comment\nmaxStep = 0.1\nrobot = aerial\n\n# comment\n[insertion]\nmaxrange "
+      "= 5\n");
+  ASSERT_EQ(0, run.status) << run.err;
+  EXPECT_EQ("", run.err);
+  const JsonValue used = parseJson(run.out)["parameters"];
+  EXPECT_EQ(0.5, used["minClearance"].number);
+  EXPECT_EQ(0.25, used["minOccupancy"].number);
+  EXPECT_EQ(3, used["slopeWindow"].number);
+  EXPECT_EQ(1.5, used["maxSlope"].number);
+  EXPECT_EQ(0.1, used["maxStep"].number);
+}
+
+TEST_F(IniFile, flagsWin)
+{
+  const auto run =
+      convertWith("[conversion]\nslopeWindow = 3\nmaxStep = 0.2\n", {"--slope-window", "1"});
+  ASSERT_EQ(0, run.status) << run.err;
+  const JsonValue used = parseJson(run.out)["parameters"];
+  EXPECT_EQ(1, used["slopeWindow"].number);
+  EXPECT_EQ(0.2, used["maxStep"].number);
+  EXPECT_EQ(1.0, used["minClearance"].number);
+}
+
+TEST_F(IniFile, theShippedFileHoldsTheDefaults)
+{
+  const auto without = convertWith("[conversion]\n");
+  const auto with = mapconv({"convert", m_dir.path("hand.bt"), "-o", m_dir.path("out"), "-c",
+                             MRPT_MAPCONV_SOURCE_DIR "/config/conversion.ini", "--json"});
+  ASSERT_EQ(0, with.status) << with.err;
+  EXPECT_EQ(without.err, with.err) << "no warning of its own";
+  const JsonValue a = parseJson(without.out)["parameters"], b = parseJson(with.out)["parameters"];
+  for (const char* name : {"minClearance", "minOccupancy", "slopeWindow", "maxSlope", "maxStep"})
+    EXPECT_EQ(a[name].number, b[name].number) << name;
+}
+
+TEST_F(IniFile, typosAreNamedInAWarning)
+{
+  const auto run = convertWith(
+      "[conversion]\nminClearence = 0.5\nmaxStep = 0.1\n[insertion]\nmaxRange = 3\n[other]\na=b\n");
+  EXPECT_EQ(0, run.status);
+  EXPECT_EQ(3, warningsIn(run.err)) << run.err;
+  for (const char* word : {"my.ini", "minClearence", "maxRange", "[other]"})
+    EXPECT_TRUE(contains(run.err, word)) << word << " in " << run.err;
+  EXPECT_EQ(3, std::count(run.err.begin(), run.err.end(), '\n')) << run.err;
+}
+
+TEST_F(IniFile, badValuesAreErrorsThatNameFileSectionKeyAndValue)
+{
+  const std::vector<std::array<std::string, 3>> cases = {
+      {"conversion", "minClearance", "banana"}, {"conversion", "minClearance", "1,5"},
+      {"conversion", "minClearance", "-1"},     {"conversion", "maxSlope", "nan"},
+      {"conversion", "minOccupancy", "1.5"},    {"conversion", "slopeWindow", "0"},
+      {"conversion", "slopeWindow", "1.5"},     {"conversion", "robot", "submarine"},
+      {"insertion", "maxrange", "far"},         {"insertion", "probHit", "1.7"},
+      {"insertion", "pruning", "perhaps"}};
+  for (const auto& [section, key, value] : cases)
+  {
+    const auto run = convertWith("[" + section + "]\n" + key + " = " + value + "\n");
+    EXPECT_EQ(1, run.status) << key << " " << value;
+    EXPECT_TRUE(isOneError(run.err)) << run.err;
+    for (const std::string& word : {std::string("my.ini"), section, key, value})
+      EXPECT_TRUE(contains(run.err, word)) << word << " in " << run.err;
+    EXPECT_FALSE(std::filesystem::exists(m_dir.path("out")));
+  }
+}
+
+TEST_F(IniFile, aLineThatIsNoIniIsAnError)
+{
+  const auto run = convertWith("[conversion]\nminClearance 0.5\n");
+  EXPECT_EQ(1, run.status);
+  EXPECT_TRUE(isOneError(run.err)) << run.err;
+  EXPECT_TRUE(contains(run.err, "line 2: 'minClearance 0.5'")) << run.err;
+}
+
+TEST_F(IniFile, aMissingFileIsAnError)
+{
+  for (const std::string& file : {m_dir.path("none.ini"), m_dir.path()})
+  {
+    const auto run =
+        mapconv({"convert", m_dir.path("hand.bt"), "-o", m_dir.path("out"), "-c", file});
+    EXPECT_EQ(1, run.status);
+    EXPECT_TRUE(isOneError(run.err)) << run.err;
+    EXPECT_TRUE(contains(run.err, file)) << run.err;
+  }
+  EXPECT_FALSE(std::filesystem::exists(m_dir.path("out")));
+}

@@ -1,0 +1,52 @@
+#include <gtest/gtest.h>
+#include <stdlib.h>
+
+#include <filesystem>
+
+#include "Program.h"
+#include "unit/grid/TempDir.h"
+
+using namespace mrpt_mapconv::testing;
+
+TEST(Run, givesTheProgramsOwnStatus)
+{
+  EXPECT_EQ(0, mapconv({"run", "--", "true"}).status);
+  EXPECT_EQ(7, mapconv({"run", "--", "sh", "-c", "exit 7"}).status);
+  EXPECT_EQ(128 + 9, mapconv({"run", "--", "sh", "-c", "kill -9 $$"}).status);
+}
+
+TEST(Run, passesEveryArgumentAsItIs)
+{
+  const auto run = mapconv(
+      {"run", "--", "printf", "<%s>", "--help", "", "--", "[a,b]", "a b", "--version", "-o"});
+  EXPECT_EQ(0, run.status) << run.err;
+  EXPECT_EQ("<--help><><--><[a,b]><a b><--version><-o>", run.out);
+  EXPECT_EQ("hi\n", mapconv({"run", "echo", "hi"}).out);
+}
+
+TEST(Run, preloadsTheLibraryInFrontOfOthers)
+{
+  const std::string library = std::filesystem::canonical(MRPT_MAPCONV_LIBRARY).string();
+  ::unsetenv("LD_PRELOAD");
+  EXPECT_EQ(library,
+            mapconv({"run", "--", "printenv", "LD_PRELOAD"}).out.substr(0, library.size()));
+  // any library will do that is there
+  ::setenv("LD_PRELOAD", library.c_str(), 1);
+  const auto run = mapconv({"run", "--", "printenv", "LD_PRELOAD"});
+  ::unsetenv("LD_PRELOAD");
+  EXPECT_EQ(library + ":" + library + "\n", run.out);
+}
+
+TEST(Run, theLibraryIsReallyLoaded)
+{
+  const auto run = mapconv({"run", "--", "cat", "/proc/self/maps"});
+  EXPECT_TRUE(contains(run.out, "libmrpt_mapconv.so"));
+}
+
+TEST(Run, aProgramThatIsNotThereIsNamed)
+{
+  const auto run = mapconv({"run", "--", "no-such-program-here"});
+  EXPECT_EQ(1, run.status);
+  EXPECT_TRUE(isOneError(run.err)) << run.err;
+  EXPECT_TRUE(contains(run.err, "no-such-program-here")) << run.err;
+}
