@@ -135,7 +135,7 @@ void describeGrid(const COccupancyGridMap2D& grid, InfoReport& report)
   for (unsigned y = 0; y < grid.getSizeY(); ++y)
     for (unsigned x = 0; x < grid.getSizeX(); ++x)
     {
-      const int raw = grid.getRow(static_cast<int>(y))[x];  // log-odds of free
+      const auto raw = grid.getRow(static_cast<int>(y))[x];  // log-odds of free
       ++(raw > 0 ? free : raw < 0 ? occupied : unknown);
     }
   const auto resolution = static_cast<double>(grid.getResolution());

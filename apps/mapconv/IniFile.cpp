@@ -69,6 +69,7 @@ template <class Options>
 void readSection(const CConfigFileMemory& ini, const std::string& section, const std::string& path,
                  Options& options)
 {
+  const std::string where = path + ": [" + section + "] unknown key '";
   CConfigFileMemory defaults, known;
   options.saveToConfigFile(defaults, section);
   const auto knownKeys = keysOf(defaults, section);
@@ -77,7 +78,7 @@ void readSection(const CConfigFileMemory& ini, const std::string& section, const
     if (contains(knownKeys, key))
       known.write(section, key, ini.read_string(section, key, ""));
     else
-      printWarning(path + ": [" + section + "] unknown key '" + key + "' has no effect");
+      printWarning(std::string(where).append(key).append("' has no effect"));
   }
   options.loadFromConfigFile(known, section);
 }
@@ -91,12 +92,13 @@ IniOptions readIni(const std::string& path)
   {
     checkLines(text);
     const CConfigFileMemory ini(text);
+    const std::string unknown = path + ": unknown section [";
     std::vector<std::string> sections;
     ini.getAllSections(sections);
     for (const auto& section : sections)
       if (section != "conversion" && section != "insertion")
-        printWarning(path + ": unknown section [" + section +
-                     "] has no effect; [conversion] and [insertion] do");
+        printWarning(std::string(unknown).append(section).append(
+            "] has no effect; [conversion] and [insertion] do"));
     if (sections.empty()) printWarning(path + ": has no section, so it changes nothing");
     readSection(ini, "conversion", path, options.conversion);
     readSection(ini, "insertion", path, options.insertion);

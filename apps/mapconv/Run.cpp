@@ -42,6 +42,7 @@ int run(std::vector<std::string> words)
   if (words.empty()) throw UsageError("run: which program? (see mapconv run --help)");
   preload(libraryPath());
   std::vector<char*> argv;
+  argv.reserve(words.size() + 1);
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
   ::execvp(argv[0], argv.data());

@@ -8,13 +8,22 @@ using voxel::kBlockSide;
 
 namespace
 {
-/** Calls visit(x, y) for every column in the mask, row by row. */
+/** Calls visit(x) for every column of a row's mask. */
 template <class Visit>
-void forEachColumn(const voxel::ColumnMask& mask, const Visit& visit)
+void forEachInRow(std::uint32_t row, const Visit& visit)
+{
+  if (row == voxel::kFullRow)
+    for (std::int32_t x = 0; x < kBlockSide; ++x) visit(x);
+  else
+    for (; row; row &= row - 1) visit(__builtin_ctz(row));
+}
+
+/** Calls visit(y, row) for every row of a mask that is not empty. */
+template <class Visit>
+void forEachRow(const voxel::ColumnMask& mask, const Visit& visit)
 {
   for (std::int32_t y = 0; y < kBlockSide; ++y)
-    for (std::uint32_t row = mask[static_cast<std::size_t>(y)]; row; row &= row - 1)
-      visit(__builtin_ctz(row), y);
+    if (const std::uint32_t row = mask[static_cast<std::size_t>(y)]; row) visit(y, row);
 }
 
 /** The smallest rectangle that holds a mask that is not empty. */
@@ -55,18 +64,25 @@ voxel::ColumnMask HeightPass::writeHeights(const BlockJob& job)
   const double res = m_layers.frame().resolution;
   const BlockPlace place(job.key, m_layers.frame());
   voxel::ColumnMask free{};
-  forEachColumn(job.read,
-                [&](std::int32_t x, std::int32_t y)
-                {
-                  const FreeSpan span = m_spans.span(y * kBlockSide + x);
-                  float& floor = m_layers.floor.at(place.x + x, place.y + y);
-                  float& ceiling = m_layers.ceiling.at(place.x + x, place.y + y);
-                  floor = ceiling = Layers::kNone;
-                  if (!span.valid()) return;
-                  floor = static_cast<float>(span.floor * res);
-                  ceiling = static_cast<float>(span.ceiling * res);
-                  free[static_cast<std::size_t>(y)] |= 1u << x;
-                });
+  forEachRow(job.read,
+             [&](std::int32_t y, std::uint32_t row)
+             {
+               float* floor = m_layers.floor.row(place.y + y);
+               float* ceiling = m_layers.ceiling.row(place.y + y);
+               std::uint32_t freeRow = 0;
+               forEachInRow(row,
+                            [&](std::int32_t x)
+                            {
+                              const FreeSpan span = m_spans.span(y * kBlockSide + x);
+                              const bool valid = span.valid();
+                              floor[place.x + x] =
+                                  valid ? static_cast<float>(span.floor * res) : Layers::kNone;
+                              ceiling[place.x + x] =
+                                  valid ? static_cast<float>(span.ceiling * res) : Layers::kNone;
+                              freeRow |= static_cast<std::uint32_t>(valid) << x;
+                            });
+               free[static_cast<std::size_t>(y)] = freeRow;
+             });
   return free;
 }
 
@@ -90,8 +106,12 @@ void HeightPass::collectWalls(BlockJob& job, const voxel::ColumnMask& free)
   }
   job.walls.clear();
   if (m_block.words() > 0)
-    forEachColumn(candidates, [&](std::int32_t x, std::int32_t y)
-                  { appendOccupiedRuns(m_block, y * kBlockSide + x, job.walls); });
+    forEachRow(candidates,
+               [&](std::int32_t y, std::uint32_t row)
+               {
+                 forEachInRow(row, [&](std::int32_t x)
+                              { appendOccupiedRuns(m_block, y * kBlockSide + x, job.walls); });
+               });
 }
 
 OccupancyPass::OccupancyPass(const ConversionParams& params, Layers& layers)
@@ -115,13 +135,17 @@ void OccupancyPass::run(const BlockJob& job)
 void OccupancyPass::writeAerial(const BlockJob& job)
 {
   const BlockPlace place(job.key, m_layers.frame());
-  forEachColumn(job.read,
-                [&](std::int32_t x, std::int32_t y)
-                {
-                  const bool free = *m_floors.at(x, y) != FloorTile::kNoFloor;
-                  m_layers.aerial.at(place.x + x, place.y + y) =
-                      free ? grid::kFree : grid::kUnknown;
-                });
+  forEachRow(job.read,
+             [&](std::int32_t y, std::uint32_t row)
+             {
+               float* aerial = m_layers.aerial.row(place.y + y);
+               const std::int32_t* floor = m_floors.at(0, y);
+               forEachInRow(row,
+                            [&](std::int32_t x) {
+                              aerial[place.x + x] =
+                                  floor[x] != FloorTile::kNoFloor ? grid::kFree : grid::kUnknown;
+                            });
+             });
   for (auto begin = job.walls.data(), last = begin + job.walls.size(); begin != last;)
   {
     auto end = begin;
@@ -162,22 +186,29 @@ void OccupancyPass::writeSlopeAndGround(const BlockJob& job)
 {
   m_slopeFilter.compute(m_floors, boundsOf(job.touched), m_slope);
   const BlockPlace place(job.key, m_layers.frame());
-  forEachColumn(job.touched,
-                [&](std::int32_t x, std::int32_t y)
-                {
-                  const double slope = m_slope[static_cast<std::size_t>(y * kBlockSide + x)];
-                  const float aerial = m_layers.aerial.at(place.x + x, place.y + y);
-                  const bool steep =
-                      grid::isFree(aerial) &&
-                      (slope > m_params.maxSlope || (m_checkSteps && hasStep(m_floors.at(x, y))));
-                  m_layers.slope.at(place.x + x, place.y + y) = static_cast<float>(slope);
-                  m_layers.ground.at(place.x + x, place.y + y) = steep ? 1.0f : aerial;
-                });
+  forEachRow(job.touched,
+             [&](std::int32_t y, std::uint32_t row)
+             {
+               const double* slopes = m_slope.data() + y * kBlockSide;
+               const float* aerial = m_layers.aerial.row(place.y + y);
+               float* slope = m_layers.slope.row(place.y + y);
+               float* ground = m_layers.ground.row(place.y + y);
+               forEachInRow(row,
+                            [&](std::int32_t x)
+                            {
+                              const std::int32_t i = place.x + x;
+                              const bool steep = slopes[x] > m_params.maxSlope ||
+                                                 (m_checkSteps && hasStep(m_floors.at(x, y)));
+                              slope[i] = static_cast<float>(slopes[x]);
+                              ground[i] = steep && grid::isFree(aerial[i]) ? 1.0f : aerial[i];
+                            });
+             });
 }
 
-/** Whether a floor differs from one of its 8 neighbours' by more than maxStep. */
+/** Whether there is a floor and it differs from one of its 8 neighbours' by more than maxStep. */
 bool OccupancyPass::hasStep(const std::int32_t* floor) const
 {
+  if (*floor == FloorTile::kNoFloor) return false;
   for (std::int32_t dy = -1; dy <= 1; ++dy)
     for (std::int32_t dx = -1; dx <= 1; ++dx)
     {

@@ -8,8 +8,8 @@ using voxel::kBlockColumns;
 
 namespace
 {
-/** plane &= plane >> shift, each column on its own, over all its words. */
-void andShifted(std::uint64_t* plane, std::int32_t words, std::int32_t shift)
+/** plane &= plane >> shift, each of `count` columns on its own, over all its words. */
+void andShifted(std::uint64_t* plane, std::int32_t count, std::int32_t words, std::int32_t shift)
 {
   const std::int32_t skip = shift / 64;
   const int down = shift % 64;
@@ -19,14 +19,13 @@ void andShifted(std::uint64_t* plane, std::int32_t words, std::int32_t shift)
     const std::uint64_t* low = to + static_cast<std::ptrdiff_t>(skip) * kBlockColumns;
     const std::uint64_t* high = low + kBlockColumns;
     if (w + skip >= words)
-      std::fill_n(to, kBlockColumns, 0);
+      std::fill_n(to, count, 0);
     else if (down == 0)
-      for (std::int32_t c = 0; c < kBlockColumns; ++c) to[c] &= low[c];
+      for (std::int32_t c = 0; c < count; ++c) to[c] &= low[c];
     else if (w + skip + 1 >= words)
-      for (std::int32_t c = 0; c < kBlockColumns; ++c) to[c] &= low[c] >> down;
+      for (std::int32_t c = 0; c < count; ++c) to[c] &= low[c] >> down;
     else
-      for (std::int32_t c = 0; c < kBlockColumns; ++c)
-        to[c] &= (low[c] >> down) | (high[c] << (64 - down));
+      for (std::int32_t c = 0; c < count; ++c) to[c] &= (low[c] >> down) | (high[c] << (64 - down));
   }
 }
 }  // namespace
@@ -36,13 +35,20 @@ void FreeSpanFinder::start(const voxel::ColumnBlock& block)
   m_zMin = block.zMin();
   m_words = block.words();
   if (m_minRun > 64 * m_words) m_words = 0;  // no range can be that high
-  m_starts.assign(block.freePlane(),
-                  block.freePlane() + static_cast<std::ptrdiff_t>(m_words) * kBlockColumns);
+  const std::int32_t first = block.rowBegin() * voxel::kBlockSide;
+  const std::int32_t count = block.rowEnd() * voxel::kBlockSide - first;
+  if (m_words == 0 || count <= 0) return;
+
+  const auto size = static_cast<std::size_t>(m_words) * kBlockColumns;
+  if (m_starts.size() < size) m_starts.resize(size);
+  for (std::int32_t w = 0; w < m_words; ++w)
+    std::copy_n(block.freePlane() + w * kBlockColumns + first, count,
+                m_starts.data() + w * kBlockColumns + first);
   // After a step, a bit says that `length` voxels from there on are free; doubling gets there soon.
   for (std::int32_t length = 1; length < m_minRun;)
   {
     const std::int32_t step = std::min(length, m_minRun - length);
-    andShifted(m_starts.data(), m_words, step);
+    andShifted(m_starts.data() + first, count, m_words, step);
     length += step;
   }
 }

@@ -29,13 +29,8 @@ std::optional<grid::GridFrame> knownFrame(const voxel::VoxelSource& source)
                          box->yMax - box->yMin + 1};
 }
 
-/** What a change of columns asks of each block: reading one cell around it (a neighbour's free
- * range decides how occupied a wall is), slopes as far around as the window reaches. */
-std::vector<BlockJob> jobsFor(const voxel::ColumnSet& changed, const ConversionParams& params,
-                              const grid::GridFrame& frame)
+std::vector<BlockJob> jobsFor(const voxel::ColumnSet& read, const voxel::ColumnSet& touched)
 {
-  const auto read = changed.dilated(1).clipped(frame);
-  const auto touched = columnsDependingOn(changed, params).clipped(frame);
   std::vector<BlockJob> jobs;
   jobs.reserve(touched.blocks().size());
   for (const auto& [key, mask] : touched.blocks())
@@ -48,12 +43,13 @@ std::vector<BlockJob> jobsFor(const voxel::ColumnSet& changed, const ConversionP
   return jobs;
 }
 
-/** Brings the layers up to date in the changed columns and what depends on them. Full conversion is
- * "all columns changed". */
-void convertColumns(const voxel::VoxelSource& source, const voxel::ColumnSet& changed,
-                    const ConversionParams& params, int threads, Layers& layers)
+/** Brings the layers up to date: reads the columns `read`, then writes slope and ground occupancy
+ * of the columns `touched`, which hold them. Full conversion is "all columns". */
+void convertColumns(const voxel::VoxelSource& source, const voxel::ColumnSet& read,
+                    const voxel::ColumnSet& touched, const ConversionParams& params, int threads,
+                    Layers& layers)
 {
-  auto jobs = jobsFor(changed, params, layers.frame());
+  auto jobs = jobsFor(read, touched);
   inParallel(jobs.size(), threads,
              [&](std::size_t begin, std::size_t end)
              {
@@ -72,7 +68,8 @@ Layers convertOn(const grid::GridFrame& frame, const voxel::VoxelSource& source,
                  const ConversionParams& params, int threads)
 {
   Layers layers(frame);
-  convertColumns(source, voxel::ColumnSet::of(frame), params, threads, layers);
+  const auto all = voxel::ColumnSet::of(frame);
+  convertColumns(source, all, all, params, threads, layers);
   return layers;
 }
 
@@ -149,7 +146,11 @@ bool IncrementalLayers::update(const voxel::VoxelSource& source, const voxel::Co
   const grid::GridFrame frame = grown(old, inside.bounds(source.resolution()));
   checkSize(frame);
   if (frame != old) m_layers = m_layers.onFrame(frame);
-  convertColumns(source, inside, m_params, m_threads, m_layers);
+  // One cell around a change is read as well: a neighbour's free range decides how occupied a wall
+  // is.
+  convertColumns(source, inside.dilated(1).clipped(frame),
+                 columnsDependingOn(inside, m_params).clipped(frame), m_params, m_threads,
+                 m_layers);
   return frame != old;
 }
 

@@ -112,23 +112,30 @@ void SlopeFilter::compute(const FloorTile& tile, const BlockRect& rect,
     addRow<1>(row(y + m_window), entering, columns);
     if (y > rect.yBegin) addRow<-1>(row(y - m_window - 1), entering - side, columns);
 
-    const std::int32_t* floors = tile.at(0, y);
-    double* out = slope.data() + y * voxel::kBlockSide;
-    if (std::all_of(floors + rect.xBegin, floors + rect.xEnd,
-                    [](std::int32_t floor) { return floor == FloorTile::kNoFloor; }))
-    {
-      std::fill(out + rect.xBegin, out + rect.xEnd, kNaN);
-      continue;
-    }
-    Moments window;
-    for (std::int32_t x = 0; x < side - 1; ++x) addColumn<1>(window, x);
-    for (std::int32_t x = rect.xBegin; x < rect.xEnd; ++x)
-    {
-      const std::int32_t right = x - rect.xBegin + side - 1;
-      addColumn<1>(window, right);
-      if (x > rect.xBegin) addColumn<-1>(window, right - side);
-      out[x] = floors[x] == FloorTile::kNoFloor ? kNaN : slopeOf(window);
-    }
+    slideAlong(tile.at(0, y), rect, slope.data() + y * voxel::kBlockSide);
+  }
+}
+
+/** Slopes of one row: the window slides from the row's first cell with a floor to the last. */
+void SlopeFilter::slideAlong(const std::int32_t* floors, const BlockRect& rect, double* slope) const
+{
+  const auto hasFloor = [&](std::int32_t x) { return floors[x] != FloorTile::kNoFloor; };
+  std::fill(slope + rect.xBegin, slope + rect.xEnd, kNaN);
+  std::int32_t first = rect.xBegin, last = rect.xEnd - 1;
+  while (first <= last && !hasFloor(first)) ++first;
+  while (last > first && !hasFloor(last)) --last;
+
+  const std::int32_t side = 2 * m_window + 1;
+  Moments window;
+  const std::int32_t left = first - rect.xBegin;  // the window's first column for the first cell
+  if (first <= last)
+    for (std::int32_t x = left; x < left + side - 1; ++x) addColumn<1>(window, x);
+  for (std::int32_t x = first; x <= last; ++x)
+  {
+    const std::int32_t entering = x - rect.xBegin + side - 1;
+    addColumn<1>(window, entering);
+    if (x > first) addColumn<-1>(window, entering - side);
+    if (hasFloor(x)) slope[x] = slopeOf(window);
   }
 }
 

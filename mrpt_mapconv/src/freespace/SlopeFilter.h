@@ -50,6 +50,7 @@ class SlopeFilter
   void addRow(const std::int32_t* floors, std::int32_t y, std::int32_t count);
   template <std::int32_t sign>
   void addColumn(Moments& m, std::int32_t x) const;
+  void slideAlong(const std::int32_t* floors, const BlockRect& rect, double* slope) const;
   double slopeOf(const Moments& m) const;
 
   std::int32_t m_window;

@@ -20,6 +20,14 @@ void ColumnBlock::start(BlockKey key, const ColumnMask& wanted)
 {
   m_key = key;
   m_wanted = wanted;
+  m_rowBegin = kBlockSide;
+  m_rowEnd = 0;
+  for (std::int32_t row = 0; row < kBlockSide; ++row)
+    if (wanted[static_cast<std::size_t>(row)])
+    {
+      m_rowBegin = std::min(m_rowBegin, row);
+      m_rowEnd = row + 1;
+    }
   m_zMin = 0;
   m_words = 0;
 }
@@ -29,8 +37,16 @@ void ColumnBlock::setHeight(std::int32_t zBegin, std::int32_t zEnd)
   m_zMin = floorTo32(zBegin);
   m_words = (zEnd - m_zMin + 63) / 64;
   const auto size = static_cast<std::size_t>(m_words) * kBlockColumns;
-  m_free.assign(size, 0);
-  m_occupied.assign(size, 0);
+  if (m_free.size() < size)
+  {
+    m_free.resize(size);
+    m_occupied.resize(size);
+  }
+  if (m_rowBegin >= m_rowEnd) return;
+  for (std::int32_t w = 0; w < m_words; ++w)
+    for (auto* plane : {&m_free, &m_occupied})
+      std::fill_n(plane->begin() + w * kBlockColumns + m_rowBegin * kBlockSide,
+                  (m_rowEnd - m_rowBegin) * kBlockSide, 0);
 }
 
 void ColumnBlock::markSlab(std::int32_t zBegin, std::int32_t zEnd, bool occupied)

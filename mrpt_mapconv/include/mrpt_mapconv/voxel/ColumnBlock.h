@@ -63,12 +63,16 @@ class ColumnBlock
     const auto above = static_cast<std::uint32_t>(z - m_zMin);
     const unsigned shift = above & 63u;
     const std::size_t at = (above >> 6) * kBlockColumns + columnIndex(x, y);
-    orPairs(m_free.data() + at, free, shift);
-    orPairs(m_occupied.data() + at, occupied, shift);
+    if (free) orPairs(m_free.data() + at, free, shift);
+    if (occupied) orPairs(m_occupied.data() + at, occupied, shift);
   }
 
   BlockKey key() const { return m_key; }
   const ColumnMask& wanted() const { return m_wanted; }
+  /** Rows [rowBegin(), rowEnd()) hold all wanted columns; what the planes hold elsewhere is not
+   * defined. */
+  std::int32_t rowBegin() const { return m_rowBegin; }
+  std::int32_t rowEnd() const { return m_rowEnd; }
   std::int32_t zMin() const { return m_zMin; }    //!< z key of bit 0 of word 0; a multiple of 32
   std::int32_t words() const { return m_words; }  //!< words per column; 0: nothing is known here
   const std::uint64_t* freePlane() const { return m_free.data(); }
@@ -92,6 +96,7 @@ class ColumnBlock
 
   BlockKey m_key;
   ColumnMask m_wanted{};
+  std::int32_t m_rowBegin = 0, m_rowEnd = 0;
   std::int32_t m_zMin = 0, m_words = 0;
   std::vector<std::uint64_t> m_free, m_occupied;
 };
