@@ -73,6 +73,16 @@ Layers convertOn(const grid::GridFrame& frame, const voxel::VoxelSource& source,
   return layers;
 }
 
+/** The changed columns without those in which nothing is known and nothing was: a superset of the
+ * change does not make the frame grow. */
+voxel::ColumnSet changedWithin(const voxel::VoxelSource& source, const voxel::ColumnSet& changed,
+                               const grid::GridFrame& frame)
+{
+  if (unite(frame, changed.bounds(source.resolution())) == frame) return changed;
+  const auto known = knownFrame(source);
+  return changed.clipped(known ? unite(frame, *known) : frame);
+}
+
 /** A frame that holds `needed` and, on each side where that made it grow, half its size more. */
 grid::GridFrame grown(const grid::GridFrame& frame, const grid::GridFrame& needed)
 {
@@ -138,10 +148,8 @@ void IncrementalLayers::rebuild(const voxel::VoxelSource& source, const grid::Gr
 
 bool IncrementalLayers::update(const voxel::VoxelSource& source, const voxel::ColumnSet& changed)
 {
-  // Columns of a superset in which nothing is known and nothing was do not make the frame grow.
-  const auto known = knownFrame(source);
   const grid::GridFrame old = m_layers.frame();
-  const auto inside = changed.clipped(known ? unite(old, *known) : old);
+  const auto inside = changedWithin(source, changed, old);
   if (inside.empty()) return false;
   const grid::GridFrame frame = grown(old, inside.bounds(source.resolution()));
   checkSize(frame);
