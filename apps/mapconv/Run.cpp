@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "Command.h"
+#include "MapCounts.h"
 
 namespace mapconv
 {
@@ -40,6 +41,8 @@ void preload(const std::string& library)
 int run(std::vector<std::string> words)
 {
   if (words.empty()) throw UsageError("run: which program? (see mapconv run --help)");
+  for (const std::string& word : words)
+    if (word.size() > 4 && word.compare(word.size() - 4, 4, ".ini") == 0) warnUnknownMaps(word);
   preload(libraryPath());
   std::vector<char*> argv;
   argv.reserve(words.size() + 1);

@@ -1,3 +1,4 @@
+#include <mrpt_mapconv/grid/OutputDir.h>
 #include <mrpt_mapconv/maps/MrptError.h>
 
 #include <CLI/CLI.hpp>
@@ -48,7 +49,7 @@ int runChosen(const std::vector<std::pair<CLI::App*, mapconv::Command>>& command
   }
   catch (const std::exception& error)
   {
-    mapconv::printError(mrpt_mapconv::maps::oneLine(error));
+    mapconv::printError(mrpt_mapconv::grid::withoutStaging(mrpt_mapconv::maps::oneLine(error)));
   }
   return kFailure;
 }

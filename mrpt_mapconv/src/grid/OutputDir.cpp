@@ -7,6 +7,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <regex>
 #include <stdexcept>
 #include <system_error>
 
@@ -112,6 +113,12 @@ void OutputDir::commit()
   std::error_code ignored;
   fs::remove_all(m_staging, ignored);
   m_staging.clear();
+}
+
+std::string withoutStaging(const std::string& message)
+{
+  static const std::regex staging("/\\.mapconv-[A-Za-z0-9]{6}(?=/)");
+  return std::regex_replace(message, staging, "");
 }
 
 }  // namespace mrpt_mapconv::grid

@@ -2,6 +2,7 @@
 #include <stdlib.h>
 
 #include <filesystem>
+#include <fstream>
 
 #include "Program.h"
 #include "unit/grid/TempDir.h"
@@ -49,4 +50,20 @@ TEST(Run, aProgramThatIsNotThereIsNamed)
   EXPECT_EQ(1, run.status);
   EXPECT_TRUE(isOneError(run.err)) << run.err;
   EXPECT_TRUE(contains(run.err, "no-such-program-here")) << run.err;
+}
+
+TEST(Run, warnsOfMapsThatMrptWouldIgnoreSilently)
+{
+  const TempDir dir;
+  std::ofstream(dir.path("typo.ini")) << "[MappingApplication]\nfreeSpaceGird_count = 1\n"
+                                      << "[MappingApplication_freeSpaceGird_00_insertOpts]\n"
+                                      << "[PF]\nsample_count = 5\n";
+  const auto typo = mapconv({"run", "--", "true", dir.path("typo.ini")});
+  EXPECT_EQ(0, typo.status);
+  EXPECT_TRUE(contains(typo.err, "mapconv: warning: ")) << typo.err;
+  EXPECT_TRUE(contains(typo.err, "freeSpaceGird_count")) << typo.err;
+  EXPECT_FALSE(contains(typo.err, "sample_count")) << typo.err;
+
+  const std::string good = std::string(MRPT_MAPCONV_SOURCE_DIR) + "/config/observations2map.ini";
+  EXPECT_EQ("", mapconv({"run", "--", "true", good}).err);
 }

@@ -104,3 +104,11 @@ TEST(OutputDir, commitDoesNotReplaceFolders)
   EXPECT_TRUE(contains(messageOf([&] { out.commit(); }), "not a regular file"));
   EXPECT_FALSE(fs::exists(dir.path("a")));
 }
+
+TEST(OutputDir, MessagesNameTheFinalPath)
+{
+  EXPECT_EQ(mrpt_mapconv::grid::withoutStaging("a/.mapconv-Xy12zQ/floor.png: No space left"),
+            "a/floor.png: No space left");
+  EXPECT_EQ(mrpt_mapconv::grid::withoutStaging("a/.mapconv/floor.png: no"),
+            "a/.mapconv/floor.png: no");
+}

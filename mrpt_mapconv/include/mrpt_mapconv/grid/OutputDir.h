@@ -54,4 +54,7 @@ class OutputDir
   std::vector<std::string> m_created;  //!< folders created by us, outermost first
 };
 
+/** A message in which the paths of staged files are those that the files were to get. */
+std::string withoutStaging(const std::string& message);
+
 }  // namespace mrpt_mapconv::grid
