@@ -13,14 +13,6 @@ namespace
 /** 8 GB of layers; a stray voxel far away should be an error and not fill the memory. */
 constexpr std::size_t kMaxCells = 400'000'000;
 
-void checkSize(const grid::GridFrame& frame)
-{
-  if (frame.size() > kMaxCells)
-    throw std::runtime_error("the voxel map covers " + std::to_string(frame.width) + " x " +
-                             std::to_string(frame.height) + " cells, more than the " +
-                             std::to_string(kMaxCells) + " that a 2D map may have");
-}
-
 std::optional<grid::GridFrame> knownFrame(const voxel::VoxelSource& source)
 {
   const auto box = source.bounds();
@@ -97,15 +89,23 @@ grid::GridFrame grown(const grid::GridFrame& frame, const grid::GridFrame& neede
   out.y0 -= below;
   out.width += left + right;
   out.height += below + above;
-  return out;
+  return out.size() > kMaxCells ? unite(frame, needed) : out;
 }
 }  // namespace
+
+void checkFrameSize(const grid::GridFrame& frame)
+{
+  if (frame.size() > kMaxCells)
+    throw std::runtime_error("the voxel map covers " + std::to_string(frame.width) + " x " +
+                             std::to_string(frame.height) + " cells, more than the " +
+                             std::to_string(kMaxCells) + " that a 2D map may have");
+}
 
 grid::GridFrame frameOf(const voxel::VoxelSource& source)
 {
   const auto frame = knownFrame(source);
   if (!frame) throw std::runtime_error("the voxel map is empty: not one voxel is known");
-  checkSize(*frame);
+  checkFrameSize(*frame);
   return *frame;
 }
 
@@ -142,7 +142,7 @@ void IncrementalLayers::rebuild(const voxel::VoxelSource& source)
 
 void IncrementalLayers::rebuild(const voxel::VoxelSource& source, const grid::GridFrame& frame)
 {
-  checkSize(frame);
+  checkFrameSize(frame);
   m_layers = convertOn(frame, source, m_params, m_threads);
 }
 
@@ -152,7 +152,7 @@ bool IncrementalLayers::update(const voxel::VoxelSource& source, const voxel::Co
   const auto inside = changedWithin(source, changed, old);
   if (inside.empty()) return false;
   const grid::GridFrame frame = grown(old, inside.bounds(source.resolution()));
-  checkSize(frame);
+  checkFrameSize(frame);
   if (frame != old) m_layers = m_layers.onFrame(frame);
   // One cell around a change is read as well: a neighbour's free range decides how occupied a wall
   // is.

@@ -128,6 +128,9 @@ bool CFreeSpaceGridMap2D::internal_insertObservation(
       maps::sensorPoints(obs, robotPose.value_or(mrpt::poses::CPose3D()), &m_warnings);
   if (!scan || scan->points.empty()) return false;
 
+  // A scan that the layers could not hold must not get into the octree.
+  freespace::checkFrameSize(
+      unite(m_layers.layers().frame(), maps::frameOfScan(*m_octree, *scan, voxelInsertionOptions)));
   const auto changed = maps::insertScan(*m_octree, *scan, voxelInsertionOptions, &m_warnings);
   const bool laidOutAnew = m_layers.update(Source(*m_octree), changed);
   if (laidOutAnew || !gridFitsLayers())

@@ -6,6 +6,7 @@
 #include <octomap/OcTree.h>
 
 #include <cmath>
+#include <optional>
 #include <sstream>
 #include <stdexcept>
 
@@ -31,15 +32,35 @@ octomap::point3d toOctomap(const mrpt::math::TPoint3D& p)
   return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
 }
 
-/** The part of a beam that is inserted must end inside the tree. */
-bool endsInside(const octomap::OcTree& tree, const octomap::point3d& origin,
-                const octomap::point3d& end, double maxRange)
+/** Where the part of a beam that is inserted ends; nothing if that is outside the tree. */
+std::optional<octomap::OcTreeKey> endKey(const octomap::OcTree& tree,
+                                         const octomap::point3d& origin,
+                                         const octomap::point3d& end, double maxRange)
 {
   octomap::OcTreeKey key;
   const octomap::point3d beam = end - origin;
   const double length = beam.norm();
-  if (maxRange <= 0 || length <= maxRange) return tree.coordToKeyChecked(end, key);
-  return tree.coordToKeyChecked(origin + beam * static_cast<float>(maxRange / length), key);
+  const bool whole = maxRange <= 0 || length <= maxRange;
+  const auto last = whole ? end : origin + beam * static_cast<float>(maxRange / length);
+  if (!tree.coordToKeyChecked(last, key)) return std::nullopt;
+  return key;
+}
+
+octomap::point3d inMap(const SensorPoints& scan, const mrpt::math::TPoint3Df& point)
+{
+  return toOctomap(scan.sensorPose.composePoint(mrpt::math::TPoint3D(point)));
+}
+
+/** The sensor's key.
+ * \exception std::runtime_error if its pose is not finite or outside the tree's range */
+octomap::OcTreeKey sensorKey(const octomap::OcTree& tree, const SensorPoints& scan)
+{
+  octomap::OcTreeKey key;
+  if (!isFinite(scan.sensorPose) ||
+      !tree.coordToKeyChecked(toOctomap(scan.sensorPose.translation()), key))
+    throw std::runtime_error("sensor pose " + scan.sensorPose.asString() +
+                             " is not finite or outside the voxel map's range");
+  return key;
 }
 
 /** The scan's points in the map frame, without those whose beams leave the tree. */
@@ -52,8 +73,8 @@ octomap::Pointcloud toCloud(const octomap::OcTree& tree, const SensorPoints& sca
   std::size_t outside = 0;
   for (const auto& point : scan.points)
   {
-    const auto end = toOctomap(scan.sensorPose.composePoint(mrpt::math::TPoint3D(point)));
-    if (endsInside(tree, origin, end, maxRange))
+    const auto end = inMap(scan, point);
+    if (endKey(tree, origin, end, maxRange))
       cloud.push_back(end);
     else
       ++outside;
@@ -174,14 +195,26 @@ void TVoxelInsertionOptions::applyTo(octomap::OcTree& tree) const
   tree.setClampingThresMax(clampingThresMax);
 }
 
+grid::GridFrame frameOfScan(const octomap::OcTree& tree, const SensorPoints& scan,
+                            const TVoxelInsertionOptions& options)
+{
+  const auto at = [&](const octomap::OcTreeKey& key) {
+    return grid::GridFrame{tree.getResolution(), key[0] - kKeyOffset, key[1] - kKeyOffset, 1, 1};
+  };
+  const auto origin = toOctomap(scan.sensorPose.translation());
+  grid::GridFrame frame = at(sensorKey(tree, scan));
+  for (const auto& point : scan.points)
+    if (const auto key = endKey(tree, origin, inMap(scan, point), options.maxrange))
+      if (!frame.containsKey((*key)[0] - kKeyOffset, (*key)[1] - kKeyOffset))
+        frame = unite(frame, at(*key));
+  return frame;
+}
+
 voxel::ColumnSet insertScan(octomap::OcTree& tree, const SensorPoints& scan,
                             const TVoxelInsertionOptions& options, PointWarnings* warnings)
 {
   const auto origin = toOctomap(scan.sensorPose.translation());
-  octomap::OcTreeKey key;
-  if (!isFinite(scan.sensorPose) || !tree.coordToKeyChecked(origin, key))
-    throw std::runtime_error("sensor pose " + scan.sensorPose.asString() +
-                             " is not finite or outside the voxel map's range");
+  sensorKey(tree, scan);  // checks it
   const auto cloud = toCloud(tree, scan, origin, options.maxrange, warnings);
 
   const float threshold = tree.getOccupancyThresLog();

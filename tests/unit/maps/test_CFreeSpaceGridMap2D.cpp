@@ -176,3 +176,23 @@ TEST(CFreeSpaceGridMap2D, ACopyIsIndependent)
     EXPECT_EQ(other->getRawMap(), map.getRawMap());
   }
 }
+
+TEST(CFreeSpaceGridMap2D, AScanTooLargeForTheLayersIsRefusedAndTheMapStaysAsItWas)
+{
+  CFreeSpaceGridMap2D map(0.01);
+  auto near = mrpt::maps::CSimplePointsMap::Create();
+  near->insertPoint(0.5f, 0, 0);
+  mrpt::obs::CObservationPointCloud scan;
+  scan.pointcloud = near;
+  ASSERT_TRUE(map.insertObservation(scan, mrpt::poses::CPose3D()));
+  const auto before = map.exactLayers();
+  const auto nodes = map.octree().size();
+
+  auto far = mrpt::maps::CSimplePointsMap::Create();  // 300 m × 300 m of 1 cm: 9·10^8 cells
+  far->insertPoint(300, 0, 0);
+  far->insertPoint(0, 300, 0);
+  scan.pointcloud = far;
+  EXPECT_THROW(map.insertObservation(scan, mrpt::poses::CPose3D()), std::exception);
+  expectSameBits(map.exactLayers(), before);
+  EXPECT_EQ(map.octree().size(), nodes);
+}

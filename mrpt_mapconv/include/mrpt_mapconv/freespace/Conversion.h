@@ -11,6 +11,9 @@ namespace mrpt_mapconv::freespace
  * \exception std::runtime_error if no voxel is known, or if that is more than 4·10^8 cells */
 grid::GridFrame frameOf(const voxel::VoxelSource& source);
 
+/** \exception std::runtime_error for a frame of more than 4·10^8 cells (8 GB of layers) */
+void checkFrameSize(const grid::GridFrame& frame);
+
 /** Converts a whole voxel map by free-space projection (Fredriksson et al. 2024, eqs. 1–8).
  *
  * \param source the voxel map

@@ -45,6 +45,11 @@ struct TVoxelInsertionOptions : public mrpt::config::CLoadableOptions
   void applyTo(octomap::OcTree& tree) const;
 };
 
+/** The frame that holds everything a scan can change: its sensor and the ends of its beams, as far
+ * as they lie in the tree. */
+grid::GridFrame frameOfScan(const octomap::OcTree& tree, const SensorPoints& scan,
+                            const TVoxelInsertionOptions& options);
+
 /** Inserts a scan into a voxel map: free along each beam, occupied at its end.
  *
  * \param scan its points and the pose of the sensor in the map
