@@ -1,18 +1,12 @@
 #include "Scene.h"
 
-#include <mrpt/io/CMemoryStream.h>
-#include <mrpt/io/zip.h>
 #include <mrpt/opengl/CGridPlaneXY.h>
 #include <mrpt/opengl/COpenGLScene.h>
-#include <mrpt/serialization/CArchive.h>
-#include <mrpt_mapconv/grid/FileIo.h>
+#include <mrpt_mapconv/grid/ObjectWriter.h>
 #include <mrpt_mapconv/maps/LayerScene.h>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
-#include <stdexcept>
-#include <vector>
 
 namespace mapconv
 {
@@ -64,23 +58,11 @@ mrpt::opengl::COpenGLScene sceneOf(const Layers& layers)
   return scene;
 }
 
-std::vector<std::uint8_t> serialized(const mrpt::opengl::COpenGLScene& scene)
-{
-  mrpt::io::CMemoryStream stream;
-  mrpt::serialization::archiveFrom(stream) << scene;
-  const auto* data = static_cast<const std::uint8_t*>(stream.getRawBufferData());
-  return {data, data + stream.getTotalBytesCount()};
-}
 }  // namespace
 
 void writeScene(const std::string& path, const Layers& layers)
 {
-  // Compressed in memory and written by ourselves: MRPT's file streams hide a full disk.
-  std::vector<std::uint8_t> bytes;
-  constexpr int kUsualCompression = 6;
-  if (!mrpt::io::zip::compress_gz_data_block(serialized(sceneOf(layers)), bytes, kUsualCompression))
-    throw std::runtime_error("cannot write '" + path + "': compression failed");
-  mrpt_mapconv::grid::writeFile(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  mrpt_mapconv::grid::writeObject(path, sceneOf(layers));
 }
 
 }  // namespace mapconv

@@ -170,20 +170,41 @@ void updatePart(benchmark::State& state, const Subject& map, bool inOneSquare, b
   state.counters["columns"] = static_cast<double>(changed.size());
 }
 
-void memoryOf(benchmark::State& state, const Subject& map, int threads)
+void memoryOf(benchmark::State& state, const voxel::VoxelSource& source, int threads)
 {
   double extra = 0, layersSize = 0;
   for (auto _ : state)
   {
     const std::size_t before = allocated;
     peak = before;
-    const auto layers = freespace::convert(map.source, {}, threads);
+    const auto layers = freespace::convert(source, {}, threads);
     layersSize = 5.0 * sizeof(float) * static_cast<double>(layers.frame().size());
     extra = static_cast<double>(peak - before) - layersSize;
   }
   state.counters["layers_MB"] = layersSize / 1e6;
   state.counters["extra_MB"] = extra / 1e6;
 }
+
+/** 10 000 × 10 000 columns of free space between walls: what a conversion keeps beside the layers
+ * must not grow with the map. */
+class LargeSource : public voxel::VoxelSource
+{
+ public:
+  double resolution() const override { return 0.1; }
+  std::optional<voxel::KeyRect> bounds() const override
+  {
+    return voxel::KeyRect{0, 0, kSide - 1, kSide - 1};
+  }
+  void read(voxel::ColumnBlock& block) const override
+  {
+    block.setHeight(0, 32);
+    block.markSlab(0, 20, false);
+    for (int y = 0; y < voxel::kBlockSide; ++y) block.markCube<1>(5, y, 10, true);
+  }
+
+ private:
+  static constexpr std::int32_t kSide = 10000;
+};
 
 /** The map that a benchmark asks for; made or read when the first one needs it, one at a time. */
 const Subject& subject(const std::string& name)
@@ -229,7 +250,7 @@ void registerAll(const std::string& map)
   const auto addMemory = [&](const std::string& what, int threads)
   {
     benchmark::RegisterBenchmark((map + "/" + what).c_str(), [=](benchmark::State& state)
-                                 { memoryOf(state, subject(map), threads); })
+                                 { memoryOf(state, subject(map).source, threads); })
         ->Iterations(1)
         ->Unit(benchmark::kMillisecond);
   };
@@ -244,6 +265,10 @@ int main(int argc, char** argv)
   if (std::filesystem::exists(std::string(MRPT_MAPCONV_SHARED_DIR) + "/geb079.bt"))
     registerAll("geb079");
   registerAll("small");
+  benchmark::RegisterBenchmark("large/memory/2_threads",
+                               [](benchmark::State& state) { memoryOf(state, LargeSource(), 2); })
+      ->Iterations(1)
+      ->Unit(benchmark::kMillisecond);
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   benchmark::RunSpecifiedBenchmarks();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <tuple>
 
 #include "BlockConversion.h"
 #include "Parallel.h"
@@ -17,43 +18,94 @@ std::optional<grid::GridFrame> knownFrame(const voxel::VoxelSource& source)
 {
   const auto box = source.bounds();
   if (!box) return std::nullopt;
-  return grid::GridFrame{source.resolution(), box->xMin, box->yMin, box->xMax - box->xMin + 1,
-                         box->yMax - box->yMin + 1};
+  return voxel::frameOf(*box, source.resolution());
 }
 
-std::vector<BlockJob> jobsFor(const voxel::ColumnSet& read, const voxel::ColumnSet& touched)
+using Strip = std::vector<BlockJob>;
+
+/** Jobs for the touched blocks in strips of whole rows of blocks, from the lowest y up: what a strip
+ * keeps between the passes is all the memory that a conversion needs beside the layers. */
+class Strips
 {
-  std::vector<BlockJob> jobs;
-  jobs.reserve(touched.blocks().size());
-  for (const auto& [key, mask] : touched.blocks())
+ public:
+  /** \param halo cells around a block that its second pass looks at */
+  Strips(const voxel::ColumnSet& read, const voxel::ColumnSet& touched, std::int32_t halo)
+      : m_read(read), m_touched(touched), m_leastRows((halo - 1) / voxel::kBlockSide + 1)
   {
-    BlockJob& job = jobs.emplace_back();
-    job.key = key;
-    job.touched = mask;
-    if (const auto it = read.blocks().find(key); it != read.blocks().end()) job.read = it->second;
+    m_keys.reserve(touched.blocks().size());
+    for (const auto& [key, mask] : touched.blocks()) m_keys.push_back(key);
+    std::sort(m_keys.begin(), m_keys.end(), [](const voxel::BlockKey& a, const voxel::BlockKey& b)
+              { return std::tie(a.y, a.x) < std::tie(b.y, b.x); });
   }
-  return jobs;
-}
 
-/** Brings the layers up to date: reads the columns `read`, then writes slope and ground occupancy
- * of the columns `touched`, which hold them. Full conversion is "all columns". */
+  /** The next strip; empty when there is none left. */
+  Strip next()
+  {
+    constexpr std::size_t leastBlocks = 512;  // enough to share among threads
+    Strip strip;
+    for (std::int32_t rows = 0; m_next < m_keys.size(); ++m_next)
+    {
+      const bool newRow = m_next == 0 || m_keys[m_next].y != m_keys[m_next - 1].y;
+      if (newRow && strip.size() >= leastBlocks && rows >= m_leastRows) break;
+      rows += newRow;
+      strip.push_back(job(m_keys[m_next]));
+    }
+    return strip;
+  }
+
+ private:
+  BlockJob job(const voxel::BlockKey& key) const
+  {
+    BlockJob job;
+    job.key = key;
+    job.touched = m_touched.blocks().at(key);
+    if (const auto it = m_read.blocks().find(key); it != m_read.blocks().end())
+      job.read = it->second;
+    return job;
+  }
+
+  const voxel::ColumnSet& m_read;
+  const voxel::ColumnSet& m_touched;
+  std::int32_t m_leastRows;  // so that a strip's second pass needs no more than the next strip
+  std::vector<voxel::BlockKey> m_keys;
+  std::size_t m_next = 0;
+};
+
+/** Brings the layers up to date: reads the columns `read`, then writes slope and ground occupancy of
+ * the columns `touched`, which hold them. Full conversion is "all columns". The second pass of a strip
+ * runs once the first pass of the next one has found the floors there. */
 void convertColumns(const voxel::VoxelSource& source, const voxel::ColumnSet& read,
                     const voxel::ColumnSet& touched, const ConversionParams& params, int threads,
                     Layers& layers)
 {
-  auto jobs = jobsFor(read, touched);
-  inParallel(jobs.size(), threads,
-             [&](std::size_t begin, std::size_t end)
-             {
-               HeightPass heights(source, params, layers);
-               for (std::size_t i = begin; i < end; ++i) heights.run(jobs[i]);
-             });
-  inParallel(jobs.size(), threads,
-             [&](std::size_t begin, std::size_t end)
-             {
-               OccupancyPass occupancy(params, layers);
-               for (std::size_t i = begin; i < end; ++i) occupancy.run(jobs[i]);
-             });
+  const auto findHeights = [&](Strip& strip)
+  {
+    inParallel(strip.size(), threads,
+               [&](std::size_t begin, std::size_t end)
+               {
+                 HeightPass heights(source, params, layers);
+                 for (std::size_t i = begin; i < end; ++i) heights.run(strip[i]);
+               });
+  };
+  const auto findOccupancy = [&](const Strip& strip)
+  {
+    inParallel(strip.size(), threads,
+               [&](std::size_t begin, std::size_t end)
+               {
+                 OccupancyPass occupancy(params, layers);
+                 for (std::size_t i = begin; i < end; ++i) occupancy.run(strip[i]);
+               });
+  };
+  Strips strips(read, touched, params.slopeWindow);
+  Strip strip = strips.next();
+  findHeights(strip);
+  while (!strip.empty())
+  {
+    Strip next = strips.next();
+    findHeights(next);
+    findOccupancy(strip);
+    strip = std::move(next);
+  }
 }
 
 Layers convertOn(const grid::GridFrame& frame, const voxel::VoxelSource& source,

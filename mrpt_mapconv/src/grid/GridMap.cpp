@@ -1,11 +1,9 @@
-#include <mrpt/io/CMemoryStream.h>
-#include <mrpt/io/zip.h>
-#include <mrpt/serialization/CArchive.h>
-#include <mrpt_mapconv/grid/FileIo.h>
 #include <mrpt_mapconv/grid/GridMap.h>
+#include <mrpt_mapconv/grid/ObjectWriter.h>
 #include <mrpt_mapconv/grid/OccupancyCell.h>
 
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 #include <vector>
 
@@ -22,40 +20,47 @@ struct FilledFlag : COccupancyGridMap2D
   static void set(COccupancyGridMap2D& map) { map.*(&FilledFlag::m_is_empty) = false; }
 };
 
-/** Gives the map the frame's size; false if MRPT's rounding makes it another frame. */
-bool setFrame(COccupancyGridMap2D& map, const GridFrame& frame)
+}  // namespace
+
+void checkGridMapFrame(const GridFrame& frame)
 {
   const auto resolution = static_cast<float>(frame.resolution);
-  const auto xMin = static_cast<float>(frame.xMin()), xMax = static_cast<float>(frame.xMax());
-  const auto yMin = static_cast<float>(frame.yMin()), yMax = static_cast<float>(frame.yMax());
-  if (!(resolution > 0) || !(xMin < xMax) || !(yMin < yMax)) return false;
-  map.setSize(xMin, xMax, yMin, yMax, resolution);
-  const auto key = [&](float metres)
-  { return std::llround(static_cast<double>(metres) / static_cast<double>(resolution)); };
-  return map.getSizeX() == static_cast<unsigned>(frame.width) &&
-         map.getSizeY() == static_cast<unsigned>(frame.height) && key(map.getXMin()) == frame.x0 &&
-         key(map.getYMin()) == frame.y0;
+  const auto size = [&](double min, double max)  // as MRPT counts cells
+  {
+    return std::llround((static_cast<double>(static_cast<float>(max)) -
+                         static_cast<double>(static_cast<float>(min))) /
+                        static_cast<double>(resolution));
+  };
+  const auto key = [&](double metres)
+  {
+    return std::llround(static_cast<double>(static_cast<float>(metres)) /
+                        static_cast<double>(resolution));
+  };
+  if (resolution > 0 && std::isfinite(resolution) &&
+      size(frame.xMin(), frame.xMax()) == frame.width &&
+      size(frame.yMin(), frame.yMax()) == frame.height && key(frame.xMin()) == frame.x0 &&
+      key(frame.yMin()) == frame.y0)
+    return;
+  std::ostringstream message;
+  message << "grid map: MRPT's float limits cannot hold " << frame.width << " x " << frame.height
+          << " cells of " << frame.resolution << " m from (" << frame.xMin() << ", " << frame.yMin()
+          << "); move the map nearer to the origin";
+  throw std::runtime_error(message.str());
 }
-
-std::vector<std::uint8_t> serialized(const COccupancyGridMap2D& map)
-{
-  mrpt::io::CMemoryStream stream;
-  mrpt::serialization::archiveFrom(stream) << map;
-  const auto* data = static_cast<const std::uint8_t*>(stream.getRawBufferData());
-  return {data, data + stream.getTotalBytesCount()};
-}
-}  // namespace
 
 void copyToGridMap(const Layer<float>& occupancy, COccupancyGridMap2D& map)
 {
   const GridFrame& frame = occupancy.frame();
   if (frame.empty()) throw std::invalid_argument("grid map: the layer has no cells");
-  if (!setFrame(map, frame))
-    throw std::runtime_error("grid map: MRPT's float limits cannot hold " +
-                             std::to_string(frame.width) + " x " + std::to_string(frame.height) +
-                             " cells of " + std::to_string(frame.resolution) + " m from (" +
-                             std::to_string(frame.xMin()) + ", " + std::to_string(frame.yMin()) +
-                             "); move the map nearer to the origin");
+  checkGridMapFrame(frame);
+  map.setSize(static_cast<float>(frame.xMin()), static_cast<float>(frame.xMax()),
+              static_cast<float>(frame.yMin()), static_cast<float>(frame.yMax()),
+              static_cast<float>(frame.resolution));
+  if (map.getSizeX() != static_cast<unsigned>(frame.width) ||
+      map.getSizeY() != static_cast<unsigned>(frame.height))
+    throw std::runtime_error("grid map: MRPT lays out " + std::to_string(map.getSizeX()) + " x " +
+                             std::to_string(map.getSizeY()) + " cells instead of " +
+                             std::to_string(frame.width) + " x " + std::to_string(frame.height));
   for (std::int32_t iy = 0; iy < frame.height; ++iy)
   {
     const float* from = occupancy.row(iy);
@@ -68,12 +73,7 @@ void writeGridMap(const std::string& path, const Layer<float>& occupancy)
 {
   COccupancyGridMap2D map;
   copyToGridMap(occupancy, map);
-  // Compressed in memory and written by ourselves: MRPT's file streams hide errors of closing.
-  std::vector<std::uint8_t> bytes;
-  constexpr int kUsualCompression = 6;
-  if (!mrpt::io::zip::compress_gz_data_block(serialized(map), bytes, kUsualCompression))
-    throw std::runtime_error("cannot write '" + path + "': compression failed");
-  writeFile(path, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+  writeObject(path, map);
 }
 
 }  // namespace mrpt_mapconv::grid

@@ -1,4 +1,4 @@
-#include "PictureColors.h"
+#include <mrpt_mapconv/grid/PictureColors.h>
 
 #include <algorithm>
 #include <array>

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "PictureColors.h"
+#include <mrpt_mapconv/grid/PictureColors.h>
 
 namespace mrpt_mapconv::grid::picture
 {

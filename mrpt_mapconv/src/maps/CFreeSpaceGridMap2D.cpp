@@ -5,7 +5,9 @@
 #include <mrpt_mapconv/voxel/OctreeSource.h>
 #include <octomap/OcTree.h>
 
+#include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 
 namespace mrpt_mapconv
@@ -17,10 +19,12 @@ namespace
 {
 double checkedResolution(double resolution)
 {
-  if (!std::isfinite(resolution) || resolution <= 0)
-    throw std::invalid_argument("resolution = " + std::to_string(resolution) +
-                                " is not valid: it must be > 0 m");
-  return resolution;
+  constexpr double finest = 1e-4, coarsest = 1e3;  // beyond that MRPT's floats fail
+  if (resolution >= finest && resolution <= coarsest) return resolution;
+  std::ostringstream message;
+  message << "resolution = " << resolution << " is not valid: it must be within [" << finest << ", "
+          << coarsest << "] m";
+  throw std::invalid_argument(message.str());
 }
 }  // namespace
 
@@ -43,7 +47,8 @@ CFreeSpaceGridMap2D::CFreeSpaceGridMap2D(const CFreeSpaceGridMap2D& o)
       m_warnings(&m_log),
       m_conversion(o.m_conversion),
       m_octree(std::make_unique<octomap::OcTree>(*o.m_octree)),
-      m_layers(o.m_layers)
+      m_layers(o.m_layers),
+      m_pending(o.m_pending)
 {
 }
 
@@ -57,6 +62,7 @@ CFreeSpaceGridMap2D& CFreeSpaceGridMap2D::operator=(const CFreeSpaceGridMap2D& o
   m_conversion = o.m_conversion;
   m_octree = std::move(octree);
   m_layers = o.m_layers;
+  m_pending = o.m_pending;
   return *this;
 }
 
@@ -68,6 +74,7 @@ void CFreeSpaceGridMap2D::setConversionOptions(const maps::TConversionOptions& o
   m_conversion = options;
   m_layers = std::move(layers);
   showAllCells();
+  warnIfNothingIsFree();
 }
 
 freespace::Layers CFreeSpaceGridMap2D::exactLayers() const
@@ -88,33 +95,42 @@ void CFreeSpaceGridMap2D::setVoxelMap(const mrpt::maps::COctoMap& map)
 void CFreeSpaceGridMap2D::setVoxelMap(std::unique_ptr<octomap::OcTree> tree)
 {
   if (!tree) throw std::invalid_argument("setVoxelMap: no octree given");
-  freespace::IncrementalLayers layers(m_conversion.params);
-  layers.rebuild(Source(*tree));
-
-  // The tree knows best what it was made with; the next scan goes in likewise.
-  voxelInsertionOptions.occupancyThres = tree->getOccupancyThres();
-  voxelInsertionOptions.probHit = tree->getProbHit();
-  voxelInsertionOptions.probMiss = tree->getProbMiss();
-  voxelInsertionOptions.clampingThresMin = tree->getClampingThresMin();
-  voxelInsertionOptions.clampingThresMax = tree->getClampingThresMax();
-  m_octree = std::move(tree);
-  m_layers = std::move(layers);
-  showAllCells();
+  takeOctree(std::move(tree));
+  voxelInsertionOptions.adoptFrom(*m_octree);
 }
 
 void CFreeSpaceGridMap2D::loadVoxelMap(const std::string& file)
 {
-  auto tree = voxel::readOctreeFile(file);
-  if (dynamic_cast<octomap::OcTree*>(tree.get()))
-    setVoxelMap(std::unique_ptr<octomap::OcTree>(static_cast<octomap::OcTree*>(tree.release())));
+  voxelInsertionOptions.check();
+  auto read = voxel::readOctreeFile(file);
+  std::unique_ptr<octomap::OcTree> tree;
+  if (dynamic_cast<octomap::OcTree*>(read.get()))
+    tree.reset(static_cast<octomap::OcTree*>(read.release()));
   else
-    setVoxelMap(maps::toOcTree(*tree));
+    tree = maps::toOcTree(*read);
+  voxelInsertionOptions.applyTo(*tree);
+  takeOctree(std::move(tree));
+}
+
+/** Converts a tree and, if that succeeds, makes it the map's. */
+void CFreeSpaceGridMap2D::takeOctree(std::unique_ptr<octomap::OcTree> tree)
+{
+  checkedResolution(tree->getResolution());
+  freespace::IncrementalLayers layers(m_conversion.params);
+  layers.rebuild(Source(*tree));
+  if (!layers.layers().frame().empty()) grid::checkGridMapFrame(layers.layers().frame());
+  m_octree = std::move(tree);
+  m_layers = std::move(layers);
+  m_pending.clear();
+  showAllCells();
+  warnIfNothingIsFree();
 }
 
 void CFreeSpaceGridMap2D::internal_clear()
 {
   m_octree->clear();
   m_layers = freespace::IncrementalLayers(m_conversion.params);
+  m_pending.clear();
   showAllCells();
 }
 
@@ -128,16 +144,36 @@ bool CFreeSpaceGridMap2D::internal_insertObservation(
       maps::sensorPoints(obs, robotPose.value_or(mrpt::poses::CPose3D()), &m_warnings);
   if (!scan || scan->points.empty()) return false;
 
-  // A scan that the layers could not hold must not get into the octree.
-  freespace::checkFrameSize(
-      unite(m_layers.layers().frame(), maps::frameOfScan(*m_octree, *scan, voxelInsertionOptions)));
-  const auto changed = maps::insertScan(*m_octree, *scan, voxelInsertionOptions, &m_warnings);
-  const bool laidOutAnew = m_layers.update(Source(*m_octree), changed);
+  // A scan that the layers or MRPT's grid could not hold must not get into the octree.
+  const grid::GridFrame needed =
+      unite(m_layers.layers().frame(), maps::frameOfScan(*m_octree, *scan, voxelInsertionOptions));
+  freespace::checkFrameSize(needed);
+  grid::checkGridMapFrame(needed);
+  m_pending.insert(maps::insertScan(*m_octree, *scan, voxelInsertionOptions, &m_warnings));
+  followOctree();
+  warnIfNothingIsFree();
+  return true;
+}
+
+/** Converts the pending columns. Should it fail, for want of memory say, they stay pending. */
+void CFreeSpaceGridMap2D::followOctree()
+{
+  const bool laidOutAnew = m_layers.update(Source(*m_octree), m_pending);
   if (laidOutAnew || !gridFitsLayers())
     showAllCells();
   else
-    showCells(freespace::columnsDependingOn(changed, m_conversion.params));
-  return true;
+    showCells(freespace::columnsDependingOn(m_pending, m_conversion.params));
+  m_pending.clear();
+}
+
+/** An entirely unknown map is most often one whose scans leave gaps between their beams. */
+void CFreeSpaceGridMap2D::warnIfNothingIsFree()
+{
+  const auto& aerial = m_layers.layers().aerial.cells();
+  if (aerial.empty() || std::any_of(aerial.begin(), aerial.end(), grid::isFree)) return;
+  m_warnings.warnOnce(mrpt::format(
+      "voxels are known, but no free range is minClearance = %g m high: all cells are unknown",
+      m_conversion.params.minClearance));
 }
 
 /** The layer that the grid shows. */
@@ -153,6 +189,7 @@ bool CFreeSpaceGridMap2D::gridFitsLayers() const
   const grid::GridFrame& frame = m_layers.layers().frame();
   return getSizeX() == static_cast<unsigned>(frame.width) &&
          getSizeY() == static_cast<unsigned>(frame.height) &&
+         std::abs(getResolution() - frame.resolution) < 1e-6 * frame.resolution &&
          std::abs(getXMin() - frame.xMin()) < 0.5 * frame.resolution &&
          std::abs(getYMin() - frame.yMin()) < 0.5 * frame.resolution;
 }

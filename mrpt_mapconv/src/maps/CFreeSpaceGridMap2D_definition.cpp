@@ -42,19 +42,19 @@ void warnUnknownSections(const mrpt::config::CConfigFileBase& source, const std:
   }
 }
 
-double readResolution(const mrpt::config::CConfigFileBase& source, const std::string& section,
-                      double resolution)
+/** MRPT has read the flags that all maps share already, but takes "true ; why" for false. */
+void readCreationOptions(const mrpt::config::CConfigFileBase& source, const std::string& section,
+                         CFreeSpaceGridMap2D::TMapDefinition& definition)
 {
   maps::StrictSection ini(source, section);
-  ini.read("resolution", resolution);
-  if (resolution <= 0) ini.fail("resolution", "> 0 m");
-  // MRPT reads these itself; here they are only checked
-  bool flag = false;
-  for (const char* key :
-       {"enableSaveAs3DObject", "enableObservationLikelihood", "enableObservationInsertion"})
-    ini.read(key, flag);
+  ini.read("resolution", definition.resolution);
+  if (definition.resolution < 1e-4 || definition.resolution > 1e3)
+    ini.fail("resolution", "within [0.0001, 1000] m");
+  auto& shared = definition.genericMapParams;
+  ini.read("enableSaveAs3DObject", shared.enableSaveAs3DObject);
+  ini.read("enableObservationLikelihood", shared.enableObservationLikelihood);
+  ini.read("enableObservationInsertion", shared.enableObservationInsertion);
   ini.warnUnknown();
-  return resolution;
 }
 }  // namespace
 
@@ -63,7 +63,7 @@ CFreeSpaceGridMap2D::TMapDefinition::TMapDefinition() = default;
 void CFreeSpaceGridMap2D::TMapDefinition::loadFromConfigFile_map_specific(
     const mrpt::config::CConfigFileBase& source, const std::string& sectionNamePrefix)
 {
-  resolution = readResolution(source, sectionNamePrefix + kSections[0], resolution);
+  readCreationOptions(source, sectionNamePrefix + kSections[0], *this);
   insertionOpts.loadFromConfigFile(source, sectionNamePrefix + kSections[1]);
   conversionOpts.loadFromConfigFile(source, sectionNamePrefix + kSections[2]);
   maps::loadGridLikelihoodOptions(source, sectionNamePrefix + kSections[3], likelihoodOpts);

@@ -1,11 +1,13 @@
-#include <mrpt_mapconv/grid/GeoTiff.h>
-#include <mrpt_mapconv/grid/LayerPicture.h>
+#include <mrpt_mapconv/grid/FileIo.h>
+#include <mrpt_mapconv/grid/OutputDir.h>
 #include <mrpt_mapconv/maps/CFreeSpaceGridMap2D.h>
 #include <mrpt_mapconv/maps/LayerFiles.h>
 #include <mrpt_mapconv/voxel/OctreeFile.h>
 #include <mrpt_mapconv/voxel/OctreeSource.h>
 #include <octomap/OcTree.h>
 
+#include <cmath>
+#include <filesystem>
 #include <sstream>
 #include <stdexcept>
 
@@ -46,11 +48,18 @@ void CFreeSpaceGridMap2D::serializeTo(mrpt::serialization::CArchive& out) const
   out << renderingOptions.showFloor << renderingOptions.showCeiling
       << renderingOptions.colorBySlope;
 
-  const grid::GridFrame& frame = m_layers.layers().frame();
-  out << frame.x0 << frame.y0 << frame.width << frame.height << m_is_empty;
+  // The tree's own resolution and sensor model: OctoMap's format rounds the one and lacks the
+  // other.
+  maps::TVoxelInsertionOptions model;
+  model.adoptFrom(*m_octree);
+  model.writeToStream(out);
+  out << m_octree->getResolution();
   std::ostringstream octree;
   m_octree->write(octree);
   out << octree.str();
+
+  const grid::GridFrame& frame = m_layers.layers().frame();
+  out << frame.x0 << frame.y0 << frame.width << frame.height << m_is_empty;
 }
 
 /** Everything is read into another map first, so a bad stream leaves this one as it was. */
@@ -64,51 +73,63 @@ void CFreeSpaceGridMap2D::serializeFrom(mrpt::serialization::CArchive& in, uint8
   in >> read.renderingOptions.showFloor >> read.renderingOptions.showCeiling >>
       read.renderingOptions.colorBySlope;
 
-  grid::GridFrame frame;
-  bool empty = true;
-  std::string octree;
-  in >> frame.x0 >> frame.y0 >> frame.width >> frame.height >> empty >> octree;
-  read.readOctree(octree, frame);
-  read.m_is_empty = empty;
+  read.readOctree(in);
   Base::operator=(read);
   voxelInsertionOptions = read.voxelInsertionOptions;
   renderingOptions = read.renderingOptions;
   m_conversion = read.m_conversion;
   m_octree = std::move(read.m_octree);
   m_layers = std::move(read.m_layers);
+  m_pending.clear();
 }
 
-void CFreeSpaceGridMap2D::readOctree(const std::string& bytes, grid::GridFrame frame)
+void CFreeSpaceGridMap2D::readOctree(mrpt::serialization::CArchive& in)
 {
+  maps::TVoxelInsertionOptions model;
+  double resolution = 0;
+  std::string bytes;
+  grid::GridFrame frame;
+  bool empty = true;
+  model.readFromStream(in);
+  in >> resolution >> bytes >> frame.x0 >> frame.y0 >> frame.width >> frame.height >> empty;
+
   auto tree = voxel::readOctree(bytes, "CFreeSpaceGridMap2D stream");
   if (!dynamic_cast<octomap::OcTree*>(tree.get()))
     throw std::runtime_error("CFreeSpaceGridMap2D stream: holds a " + tree->getTreeType() +
                              " where an OcTree belongs");
+  if (!(std::abs(tree->getResolution() / resolution - 1) < 1e-5))
+    throw std::runtime_error("CFreeSpaceGridMap2D stream: two different resolutions");
   m_octree.reset(static_cast<octomap::OcTree*>(tree.release()));
-  voxelInsertionOptions.applyTo(*m_octree);
+  m_octree->setResolution(resolution);
+  model.applyTo(*m_octree);
 
   const voxel::OctreeSource<octomap::OcTree> source(*m_octree);
-  frame.resolution = m_octree->getResolution();
+  frame.resolution = resolution;
   m_layers = freespace::IncrementalLayers(m_conversion.params);
   if (const auto known = source.bounds())
-  {
-    if (!frame.containsKey(known->xMin, known->yMin) ||
-        !frame.containsKey(known->xMax, known->yMax))
-      throw std::runtime_error("CFreeSpaceGridMap2D stream: the frame does not hold the voxels");
-    m_layers.rebuild(source, frame);
-  }
+    m_layers.rebuild(source, unite(frame, voxel::frameOf(*known, resolution)));
   showAllCells();
+  m_is_empty = empty;
 }
 
 void CFreeSpaceGridMap2D::saveMetricMapRepresentationToFile(const std::string& prefix) const
 {
-  Base::saveMetricMapRepresentationToFile(prefix);
-  const auto layers = exactLayers();
-  if (layers.frame().empty()) return;
-  maps::writeLayersTiff(prefix + "_layers.tif", layers);
-  for (const auto& [name, layer] : layers.named())
-    maps::writeLayerPicture(prefix + "_" + name + ".png", layers, name);
-  if (!m_octree->write(prefix + ".ot")) throw std::runtime_error(prefix + ".ot: cannot be written");
+  const std::filesystem::path whole(prefix);
+  const auto name = whole.filename().string();
+  grid::OutputDir out(whole.has_parent_path() ? whole.parent_path().string() : ".");
+  const auto staged = out.path(name + ".png");  // the base class adds the endings to a prefix
+  out.path(name + "_limits.txt");
+  Base::saveMetricMapRepresentationToFile(staged.substr(0, staged.size() - 4));
+  if (const auto layers = exactLayers(); !layers.frame().empty())
+  {
+    maps::writeLayersTiff(out.path(name + "_layers.tif"), layers);
+    for (const auto& [layerName, layer] : layers.named())
+      maps::writeLayerPicture(out.path(name + "_" + layerName + ".png"), layers, layerName);
+    std::ostringstream octree;
+    m_octree->write(octree);
+    grid::writeFile(out.path(name + ".ot"), octree.str());
+  }
+  out.commit();
 }
 
 }  // namespace mrpt_mapconv

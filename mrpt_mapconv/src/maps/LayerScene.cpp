@@ -1,11 +1,10 @@
 #include <mrpt/opengl/CMesh.h>
 #include <mrpt_mapconv/grid/GridMap.h>
+#include <mrpt_mapconv/grid/PictureColors.h>
 #include <mrpt_mapconv/maps/LayerScene.h>
 
 #include <algorithm>
 #include <cmath>
-
-#include "../grid/PictureColors.h"
 
 namespace mrpt_mapconv::maps
 {

@@ -143,8 +143,9 @@ void dropUnusable(Points& points, const std::string& label, PointWarnings& warni
   };
   drop([](const TPoint3Df& p) { return p.x == 0 && p.y == 0 && p.z == 0; });
   if (const auto n = drop([](const TPoint3Df& p) { return !isFinite(p); }); n > 0)
-    warnings.warn(std::to_string(n) + " points with NaN or infinite coordinates dropped from " +
-                  label);
+    warnings.warnOnceOf(
+        "not finite: " + label,
+        std::to_string(n) + " points with NaN or infinite coordinates dropped from " + label);
 }
 
 std::string labelOf(const CObservation& obs)

@@ -257,7 +257,7 @@ std::vector<PosedObservation> readRawlog(const std::string& path, const RawlogOp
     if (scans3D == 1) return log.only3DAtIdentity();
     throw std::runtime_error(path + ": " + std::to_string(scans3D) +
                              " 3D scans but no robot poses and no odometry (if the sensor stood "
-                             "still, use --static)");
+                             "still: RawlogOptions::staticSensor, in mapconv --static)");
   }
   auto scans = log.posed();
   if (!has3DScan(scans))

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 #include <utility>
 
@@ -65,20 +66,44 @@ void StrictSection::fail(const std::string& key, const std::string& right) const
                            "' is not valid: it must be " + right);
 }
 
+namespace
+{
+/** Reads a text that is a number from its first to its last character. */
+template <class Number>
+bool parse(std::string digits, Number& number)
+{
+  if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-') digits.erase(0, 1);
+  const char* end = digits.data() + digits.size();
+  const auto [stop, error] = std::from_chars(digits.data(), end, number);
+  if (error != std::errc() || stop != end) return false;
+  if constexpr (std::is_floating_point_v<Number>) return std::isfinite(number);
+  return true;
+}
+}  // namespace
+
 template <class Number>
 void StrictSection::readNumber(const std::string& key, Number& value)
 {
   m_known.insert(key);
   if (!has(key)) return;
-  std::string digits = text(key);
-  if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-') digits.erase(0, 1);
   Number number{};
-  const char* end = digits.data() + digits.size();
-  const auto [stop, error] = std::from_chars(digits.data(), end, number);
-  if (error != std::errc() || stop != end) fail(key, kindOf<Number>());
-  if constexpr (std::is_floating_point_v<Number>)
-    if (!std::isfinite(number)) fail(key, kindOf<Number>());
+  if (!parse(text(key), number)) fail(key, kindOf<Number>());
   value = number;
+}
+
+void StrictSection::read(const std::string& key, std::vector<double>& values)
+{
+  m_known.insert(key);
+  if (!has(key)) return;
+  std::string list = text(key);
+  std::replace_if(
+      list.begin(), list.end(), [](char c) { return c == ',' || c == '[' || c == ']'; }, ' ');
+  std::vector<double> numbers;
+  std::istringstream words(list);
+  for (std::string word; words >> word;)
+    if (!parse(word, numbers.emplace_back())) fail(key, "a list of finite numbers");
+  if (numbers.empty()) fail(key, "a list of finite numbers");
+  values = std::move(numbers);
 }
 
 void StrictSection::read(const std::string& key, double& value) { readNumber(key, value); }

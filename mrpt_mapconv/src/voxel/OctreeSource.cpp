@@ -13,8 +13,7 @@ namespace mrpt_mapconv::voxel
 {
 namespace
 {
-constexpr std::int32_t kKeyOffset = 32768;  // OctoMap's key of coordinate 0
-constexpr std::int32_t kTreeSide = 65536;   // voxels along the root node's side
+constexpr std::int32_t kTreeSide = 65536;  // voxels along the root node's side
 
 /** The children of a node, read from it once: OctoMap's own accessors test for the array of
  * children anew at every call, which is a good part of the time of a walk over the leaves. */
@@ -185,27 +184,28 @@ std::optional<KeyRect> OctreeSource<Tree>::bounds() const
   BoundsSearch<typename Tree::NodeType> search;
   search.visit(m_tree.getRoot(), 0, 0, kTreeSide);
   const KeyRect& box = search.box();
-  return KeyRect{box.xMin - kKeyOffset, box.yMin - kKeyOffset, box.xMax - kKeyOffset,
-                 box.yMax - kKeyOffset};
+  return KeyRect{box.xMin - kOctomapKeyOffset, box.yMin - kOctomapKeyOffset,
+                 box.xMax - kOctomapKeyOffset, box.yMax - kOctomapKeyOffset};
 }
 
 template <class Tree>
 void OctreeSource<Tree>::read(ColumnBlock& block) const
 {
   if (!m_tree.getRoot()) return;
-  const std::int32_t x = block.key().x * kBlockSide + kKeyOffset;
-  const std::int32_t y = block.key().y * kBlockSide + kKeyOffset;
+  const std::int32_t x = block.key().x * kBlockSide + kOctomapKeyOffset;
+  const std::int32_t y = block.key().y * kBlockSide + kOctomapKeyOffset;
   if (x < 0 || y < 0 || x >= kTreeSide || y >= kTreeSide) return;
 
   std::vector<StackedNode<typename Tree::NodeType>> stack;  // in ascending order of z
   collectStack<typename Tree::NodeType>(m_tree.getRoot(), x, y, 0, kTreeSide, stack);
   if (stack.empty()) return;
 
-  block.setHeight(stack.front().z - kKeyOffset, stack.back().z + stack.back().size - kKeyOffset);
+  block.setHeight(stack.front().z - kOctomapKeyOffset,
+                  stack.back().z + stack.back().size - kOctomapKeyOffset);
   BlockMarker<Tree> marker(m_tree, block);
   for (const auto& [node, key, size] : stack)
   {
-    const std::int32_t z = key - kKeyOffset;
+    const std::int32_t z = key - kOctomapKeyOffset;
     if (size == kBlockSide)
       marker.template mark<kBlockSide>(node, 0, 0, z);
     else

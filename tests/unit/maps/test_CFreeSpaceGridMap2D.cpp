@@ -125,6 +125,7 @@ TEST(CFreeSpaceGridMap2D, ABadPoseOrOptionThrowsAndTheMapStaysAsItWas)
   auto options = map.conversionOptions();
   options.params.slopeWindow = 0;
   EXPECT_THROW(map.setConversionOptions(options), std::invalid_argument);
+  map.voxelInsertionOptions = {};
   EXPECT_THROW(map.loadVoxelMap("/nowhere/map.bt"), std::runtime_error);
   EXPECT_THROW(map.setVoxelMap(std::unique_ptr<octomap::OcTree>()), std::invalid_argument);
   expectSameBits(map.exactLayers(), before);
@@ -195,4 +196,36 @@ TEST(CFreeSpaceGridMap2D, AScanTooLargeForTheLayersIsRefusedAndTheMapStaysAsItWa
   EXPECT_THROW(map.insertObservation(scan, mrpt::poses::CPose3D()), std::exception);
   expectSameBits(map.exactLayers(), before);
   EXPECT_EQ(map.octree().size(), nodes);
+}
+
+TEST(CFreeSpaceGridMap2D, WarnsOnceWhenNothingIsFreeAndNamesMinClearance)
+{
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  CFreeSpaceGridMap2D map(0.2);
+  mrpt::obs::CObservation2DRangeScan scan;  // one voxel high
+  scan.resizeScan(11);
+  scan.aperture = 1;
+  for (std::size_t i = 0; i < 11; ++i)
+  {
+    scan.setScanRange(i, 3);
+    scan.setScanRangeValidity(i, true);
+  }
+  map.insertObservation(scan, mrpt::poses::CPose3D());
+  map.insertObservation(scan, mrpt::poses::CPose3D(0.5, 0, 0));
+  const auto said = testing::internal::GetCapturedStdout() + testing::internal::GetCapturedStderr();
+  const auto first = said.find("minClearance = 1");
+  EXPECT_NE(first, std::string::npos) << said;
+  EXPECT_EQ(said.find("minClearance", first + 1), std::string::npos) << said;
+}
+
+TEST(CFreeSpaceGridMap2D, RefreshGridRepairsCellsChangedThroughTheBaseClass)
+{
+  CFreeSpaceGridMap2D map(0.2);
+  map.insertObservation(roomScan(0), mrpt::poses::CPose3D(0, 0, 1));
+  const auto before = map.getRawMap();
+  map.fill(0.5f);
+  EXPECT_NE(map.getRawMap(), before);
+  map.refreshGrid();
+  EXPECT_EQ(map.getRawMap(), before);
 }

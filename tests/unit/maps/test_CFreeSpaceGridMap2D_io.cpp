@@ -88,6 +88,15 @@ void expectSameFuture(CFreeSpaceGridMap2D& a, CFreeSpaceGridMap2D& b)
   EXPECT_TRUE(a.octree() == b.octree());
 }
 
+CFreeSpaceGridMap2D::Ptr roundTrip(const CFreeSpaceGridMap2D& map)
+{
+  std::vector<std::uint8_t> stream;
+  mrpt::serialization::ObjectToOctetVector(&map, stream);
+  mrpt::serialization::CSerializable::Ptr object;
+  mrpt::serialization::OctetVectorToObject(stream, object);
+  return std::dynamic_pointer_cast<CFreeSpaceGridMap2D>(object);
+}
+
 mrpt::maps::CMetricMap::Ptr fromIni(const std::string& text)
 {
   const mrpt::config::CConfigFileMemory ini("[map]\nfreeSpaceGrid_count=1\n" + text);
@@ -160,15 +169,96 @@ TEST(CFreeSpaceGridMap2D_io, ATruncatedStreamThrowsAndLeavesTheMapAsItWas)
   }
 }
 
-TEST(CFreeSpaceGridMap2D_io, AForeignStreamThrows)
+TEST(CFreeSpaceGridMap2D_io, AForeignOrDamagedStreamThrowsAndLeavesTheMapAsItWas)
 {
-  mrpt::io::CMemoryStream memory;
-  mrpt::serialization::archiveFrom(memory) << mrpt::maps::COccupancyGridMap2D();
-  memory.Seek(0);
-  CFreeSpaceGridMap2D target(0.25);
-  auto archive = mrpt::serialization::archiveFrom(memory);
-  EXPECT_ANY_THROW(archive >> target);
-  EXPECT_TRUE(target.isEmpty());
+  const auto target0 = unusualMap();
+  CFreeSpaceGridMap2D other(0.4);
+  other.insertObservation(roomScan(2), mrpt::poses::CPose3D(0, 0, 1));
+  mrpt::io::CMemoryStream whole;
+  mrpt::serialization::archiveFrom(whole) << other;
+  const auto* bytes = static_cast<const std::uint8_t*>(whole.getRawBufferData());
+  const std::string good(bytes, bytes + whole.getTotalBytesCount());
+
+  std::vector<std::string> bad;
+  mrpt::io::CMemoryStream foreign;
+  mrpt::serialization::archiveFrom(foreign) << mrpt::maps::COccupancyGridMap2D();
+  const auto* foreignBytes = static_cast<const std::uint8_t*>(foreign.getRawBufferData());
+  bad.emplace_back(foreignBytes, foreignBytes + foreign.getTotalBytesCount());
+  const auto replaced = [&](const std::string& from, const std::string& to)
+  {
+    const auto at = good.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    return std::string(good).replace(at, from.size(), to);
+  };
+  bad.push_back(replaced("id OcTree\n", "id OcTrex\n"));
+  bad.push_back(replaced("res 0.4\n", "res 0.5\n"));
+  const auto version = good.find("CFreeSpaceGridMap2D") + std::string("CFreeSpaceGridMap2D").size();
+  auto newer = good;
+  newer[version] = 77;
+  bad.push_back(newer);
+
+  for (std::size_t i = 0; i < bad.size(); ++i)
+  {
+    SCOPED_TRACE(i);
+    auto target = target0;
+    mrpt::io::CMemoryStream memory;
+    memory.assignMemoryNotOwn(bad[i].data(), bad[i].size());
+    auto archive = mrpt::serialization::archiveFrom(memory);
+    EXPECT_ANY_THROW(archive >> target);
+    auto reference = target0;
+    expectSameOptions(target, reference);
+    expectSameFuture(target, reference);
+  }
+}
+
+TEST(CFreeSpaceGridMap2D_io, AnOddResolutionSurvives)
+{
+  for (const double resolution : {1.0 / 3, 0.1234567, 0.07})
+  {
+    CFreeSpaceGridMap2D map(resolution);
+    map.insertObservation(roomScan(0), mrpt::poses::CPose3D(20, -20, 1));
+    auto copy = roundTrip(map);
+    EXPECT_EQ(copy->octree().getResolution(), resolution);
+    expectSameFuture(map, *copy);
+  }
+}
+
+TEST(CFreeSpaceGridMap2D_io, TheTreesSensorModelSurvivesOptionsThatWaitForTheNextScan)
+{
+  CFreeSpaceGridMap2D map(0.2);
+  map.insertObservation(roomScan(0), mrpt::poses::CPose3D(0, 0, 1));
+  map.voxelInsertionOptions.occupancyThres = 0.9;
+  auto copy = roundTrip(map);
+  EXPECT_EQ(copy->octree().getOccupancyThresLog(), map.octree().getOccupancyThresLog());
+  expectSameFuture(map, *copy);
+}
+
+TEST(CFreeSpaceGridMap2D_io, ATreeWithExtremeClampingCanBeExtendedAndCopied)
+{
+  octomap::OcTree tree(0.2);
+  tree.setClampingThresMin(0);
+  tree.setClampingThresMax(1);
+  column(tree, 0, 0, 0, 'f', 10);
+  CFreeSpaceGridMap2D map;
+  map.setVoxelMap(tree);
+  EXPECT_TRUE(map.insertObservation(roomScan(0), mrpt::poses::CPose3D(0, 0, 1)));
+  auto copy = roundTrip(map);
+  expectSameFuture(map, *copy);
+}
+
+TEST(CFreeSpaceGridMap2D_io, AFileLeavesTheSensorModelOfTheOptions)
+{
+  const TempDir dir;
+  octomap::OcTree tree(0.2);
+  column(tree, 0, 0, 0, 'f', 10);
+  ASSERT_TRUE(tree.writeBinary(dir.file("m.bt")));
+  CFreeSpaceGridMap2D map;
+  map.voxelInsertionOptions.probHit = 0.9;
+  map.voxelInsertionOptions.occupancyThres = 0.7;
+  map.loadVoxelMap(dir.file("m.bt"));
+  EXPECT_EQ(map.voxelInsertionOptions.probHit, 0.9);
+  EXPECT_EQ(map.voxelInsertionOptions.occupancyThres, 0.7);
+  EXPECT_NEAR(map.octree().getOccupancyThres(), 0.7, 1e-6);
 }
 
 TEST(CFreeSpaceGridMap2D_io, IsMadeFromIniUnderBothNames)
@@ -205,6 +295,19 @@ TEST(CFreeSpaceGridMap2D_io, ABadIniValueIsAnErrorThatNamesIt)
            {"insertOpts", "maxrange=1,5"},
            {"conversionOpts", "slopeWindow=0"},
            {"conversionOpts", "minOccupancy=2"},
+           {"creationOpts", "resolution=1e300"},
+           {"creationOpts", "enableSaveAs3DObject=maybe"},
+           {"likelihoodOpts", "LF_decimation=0"},
+           {"likelihoodOpts", "LF_decimation=1.5"},
+           {"likelihoodOpts", "MI_skip_rays=0"},
+           {"likelihoodOpts", "rayTracing_decimation=-3"},
+           {"likelihoodOpts", "consensus_takeEachRange=0"},
+           {"likelihoodOpts", "LF_stdHit=0"},
+           {"likelihoodOpts", "LF_stdHit=1e300"},
+           {"likelihoodOpts", "LF_maxRange=1,5"},
+           {"likelihoodOpts", "LF_useSquareDist=perhaps"},
+           {"likelihoodOpts", "consensus_pow=nan"},
+           {"likelihoodOpts", "OWA_weights=0.1 banana"},
            {"likelihoodOpts", "LF_stdHit=banana"},
            {"likelihoodOpts", "LF_stdHit=-1"},
            {"likelihoodOpts", "likelihoodMethod=lmBanana"}})
@@ -224,6 +327,22 @@ TEST(CFreeSpaceGridMap2D_io, ABadIniValueIsAnErrorThatNamesIt)
       EXPECT_NE(message.find(value.substr(0, 4)), std::string::npos) << message;
     }
   }
+}
+
+TEST(CFreeSpaceGridMap2D_io, CommentsBehindValuesAreNoPartOfThem)
+{
+  const auto map = std::dynamic_pointer_cast<CFreeSpaceGridMap2D>(
+      fromIni("[map_freeSpaceGrid_00_creationOpts]\nenableSaveAs3DObject = true ; shown\n"
+              "enableObservationLikelihood = false # not used\n"
+              "[map_freeSpaceGrid_00_likelihoodOpts]\nLF_useSquareDist = true ; yes\n"
+              "LF_decimation = 3 // every third\nOWA_weights = 0.5, 0.25 ; two\n"));
+  ASSERT_TRUE(map);
+  EXPECT_TRUE(map->genericMapParams.enableSaveAs3DObject);
+  EXPECT_FALSE(map->genericMapParams.enableObservationLikelihood);
+  EXPECT_TRUE(map->likelihoodOptions.LF_useSquareDist);
+  EXPECT_EQ(map->likelihoodOptions.LF_decimation, 3u);
+  ASSERT_EQ(map->likelihoodOptions.OWA_weights.size(), 2u);
+  EXPECT_NEAR(map->likelihoodOptions.OWA_weights[1], 0.25, 1e-6);
 }
 
 TEST(CFreeSpaceGridMap2D_io, UnknownKeysAndSectionsAreNamedInAWarning)
@@ -246,11 +365,30 @@ TEST(CFreeSpaceGridMap2D_io, SavesEveryLayerAndTheVoxels)
   for (const char* name : {"m.png", "m_layers.tif", "m_floor.png", "m_ceiling.png", "m_slope.png",
                            "m_aerial.png", "m_ground.png", "m.ot"})
     EXPECT_TRUE(std::filesystem::exists(dir.file(name))) << name;
-  const auto floor = grid::readGeoTiffBand(dir.file("m_layers.tif"), "floor");
-  EXPECT_EQ(floor.frame(), map.exactLayers().frame());
+  const auto layers = map.exactLayers();
+  for (const auto& [name, layer] : layers.named())
+  {
+    const auto band = grid::readGeoTiffBand(dir.file("m_layers.tif"), name);
+    ASSERT_EQ(band.frame(), layers.frame()) << name;
+    for (std::size_t i = 0; i < band.cells().size(); ++i)
+      ASSERT_TRUE(band.cells()[i] == layer->cells()[i] ||
+                  (std::isnan(band.cells()[i]) && std::isnan(layer->cells()[i])))
+          << name << ' ' << i;
+  }
   CFreeSpaceGridMap2D again(1.0);
   again.loadVoxelMap(dir.file("m.ot"));
-  EXPECT_EQ(again.octree().getNumLeafNodes(), map.octree().getNumLeafNodes());
+  EXPECT_TRUE(again.octree() == map.octree());
+}
+
+TEST(CFreeSpaceGridMap2D_io, ASaveThatFailsLeavesNoFileBehind)
+{
+  const TempDir dir;
+  writeBytes(dir.file("m.ot"), "older");
+  std::filesystem::create_directory(dir.file("m_slope.png"));  // cannot be replaced by a file
+  writeBytes(dir.file("m_slope.png/x"), "");
+  EXPECT_THROW(unusualMap().saveMetricMapRepresentationToFile(dir.file("m")), std::exception);
+  EXPECT_EQ(readBytes(dir.file("m.ot")), "older");
+  EXPECT_ANY_THROW(unusualMap().saveMetricMapRepresentationToFile("/proc/nowhere/m"));
 }
 
 TEST(CFreeSpaceGridMap2D_io, DrawsFloorCeilingAndGrid)

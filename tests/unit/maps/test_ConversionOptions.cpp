@@ -120,7 +120,7 @@ TEST(VoxelInsertionOptions, ABadValueIsAnError)
 {
   for (const char* line :
        {"maxrange=0", "maxrange=-5", "maxrange=far", "probHit=1.2", "probHit=0.3", "probMiss=0.7",
-        "occupancyThres=0", "clampingThresMin=0.98", "pruning=perhaps"})
+        "occupancyThres=1.2", "clampingThresMin=0.98", "pruning=perhaps"})
   {
     TVoxelInsertionOptions options;
     const auto message = failure(options, line);

@@ -75,6 +75,18 @@ Columns dilatedByHand(const Columns& columns, std::int32_t radius)
   return out;
 }
 
+TEST(ColumnSet, InsertsAnotherSet)
+{
+  mrpt_mapconv::voxel::ColumnSet a, b;
+  a.insert(1, 2);
+  a.insert(40, 2);
+  b.insert(2, 2);
+  b.insert(-5, -70);
+  a.insert(b);
+  EXPECT_EQ(a.size(), 4u);
+  EXPECT_TRUE(a.contains(1, 2) && a.contains(40, 2) && a.contains(2, 2) && a.contains(-5, -70));
+}
+
 TEST(ColumnSet, StartsEmpty)
 {
   const ColumnSet set;

@@ -7,6 +7,11 @@
 
 namespace mrpt_mapconv::grid
 {
+/** Checks that MRPT's grids, which keep their limits as floats, can hold a frame.
+ * \exception std::runtime_error if they would round it to another one (a map very far from the
+ * origin, an odd resolution) */
+void checkGridMapFrame(const GridFrame& frame);
+
 /** Copies an occupancy layer into an MRPT grid map of the same frame, replacing what it holds;
  * cell values as in rawGridCell().
  *

@@ -47,7 +47,8 @@ class CFreeSpaceGridMap2D : public mrpt::maps::COccupancyGridMap2D
   DEFINE_SERIALIZABLE(CFreeSpaceGridMap2D, mrpt_mapconv)
 
  public:
-  /** An empty map. \param resolution size of voxels and cells [m], > 0 */
+  /** An empty map. \param resolution size of voxels and cells, 0.0001 to 1000 m
+   * \exception std::invalid_argument for another resolution */
   explicit CFreeSpaceGridMap2D(double resolution = 0.10);
   ~CFreeSpaceGridMap2D() override;
   CFreeSpaceGridMap2D(const CFreeSpaceGridMap2D& o);
@@ -70,18 +71,24 @@ class CFreeSpaceGridMap2D : public mrpt::maps::COccupancyGridMap2D
   /** All layers on the exact bounding box of the known voxels; empty if there is none. */
   freespace::Layers exactLayers() const;
 
-  /** Replaces the voxel map, and the resolution with it, and converts it.
+  /** Replaces the voxel map, and the resolution with it, and converts it. The tree's sensor model
+   * (probHit, occupancyThres, …) becomes that of voxelInsertionOptions.
    * \exception std::exception if it cannot be converted; the map then stays as it was */
   void setVoxelMap(const octomap::OcTree& tree);
   void setVoxelMap(const mrpt::maps::COctoMap& map);
   void setVoxelMap(std::unique_ptr<octomap::OcTree> tree);
-  /** The same from an OctoMap file (`.bt`, `.ot`).
+  /** Replaces the voxel map by an OctoMap file's (`.bt`, `.ot`). Such a file holds no sensor model:
+   * that of voxelInsertionOptions stays and goes for the tree.
    * \exception std::runtime_error naming the file and what is wrong with it */
   void loadVoxelMap(const std::string& file);
 
+  /** Writes all cells of the grid anew, should someone have changed them through the base class. */
+  void refreshGrid() { showAllCells(); }
+
   void getVisualizationInto(mrpt::opengl::CSetOfObjects& scene) const override;
   /** Saves the grid as the base class does, all layers as PREFIX_layers.tif and PREFIX_<layer>.png,
-   * and the voxel map as PREFIX.ot. */
+   * and the voxel map as PREFIX.ot; each file appears whole or not at all.
+   * \exception std::runtime_error naming the file and the reason if one cannot be written */
   void saveMetricMapRepresentationToFile(const std::string& prefix) const override;
   std::string asString() const override;
 
@@ -96,15 +103,19 @@ class CFreeSpaceGridMap2D : public mrpt::maps::COccupancyGridMap2D
   bool gridFitsLayers() const;
   void showAllCells();
   void showCells(const voxel::ColumnSet& columns);
+  void takeOctree(std::unique_ptr<octomap::OcTree> tree);
+  void followOctree();
+  void warnIfNothingIsFree();
   void writeBaseOptions(mrpt::serialization::CArchive& out) const;
   void readBaseOptions(mrpt::serialization::CArchive& in);
-  void readOctree(const std::string& bytes, grid::GridFrame frame);
+  void readOctree(mrpt::serialization::CArchive& in);
 
   mrpt::system::COutputLogger m_log;
   maps::PointWarnings m_warnings;
   maps::TConversionOptions m_conversion;
   std::unique_ptr<octomap::OcTree> m_octree;
   freespace::IncrementalLayers m_layers;
+  voxel::ColumnSet m_pending;  //!< changed in the octree, but not yet in the layers
 
   MAP_DEFINITION_START(CFreeSpaceGridMap2D)
   double resolution = 0.10;  //!< size of voxels and cells [m]

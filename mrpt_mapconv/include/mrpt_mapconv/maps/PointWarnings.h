@@ -22,6 +22,11 @@ class PointWarnings
   {
     if (m_log) m_log->logStr(mrpt::system::LVL_WARN, text);
   }
+  /** Says something about a subject only once, whatever the numbers in the text. */
+  void warnOnceOf(const std::string& subject, const std::string& text)
+  {
+    if (m_said.insert(subject).second) warn(text + " (said once)");
+  }
   /** Says the same text only once. */
   void warnOnce(const std::string& text)
   {

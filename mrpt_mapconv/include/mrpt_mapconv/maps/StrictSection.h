@@ -29,12 +29,14 @@ class StrictSection
   void read(const std::string& key, float& value);
   void read(const std::string& key, std::int32_t& value);
   void read(const std::string& key, std::uint32_t& value);
+  /** Numbers between spaces, commas or brackets. */
+  void read(const std::string& key, std::vector<double>& values);
   void read(const std::string& key, bool& value);  //!< true/false, yes/no, 1/0
   /** One of `choices`; gives its index. */
   void readChoice(const std::string& key, const std::vector<std::string>& choices, int& index);
 
-  /** (No brackets around the section: MRPT takes what stands before a ']' for a place in its code.)
-   * Throws that the value of a key that has been read is not valid.
+  /** Throws that the value of a key that has been read is not valid. The message has no brackets
+   * around the section: MRPT takes what stands before a ']' for a place in its code.
    * \param right what would be, e.g. "> 0" */
   [[noreturn]] void fail(const std::string& key, const std::string& right) const;
 

@@ -28,6 +28,8 @@ class ColumnSet
 
   /** Adds the column with keys (kx, ky). */
   void insert(std::int32_t kx, std::int32_t ky);
+  /** Adds all columns of another set. */
+  void insert(const ColumnSet& other);
   bool contains(std::int32_t kx, std::int32_t ky) const;
   bool empty() const { return m_blocks.empty(); }
   std::size_t size() const;  //!< number of columns

@@ -11,6 +11,9 @@ class AbstractOcTree;
 
 namespace mrpt_mapconv::voxel
 {
+/** OctoMap's unsigned key of coordinate 0: its keys minus this are ours. */
+constexpr std::int32_t kOctomapKeyOffset = 32768;
+
 /** Reads any OctoMap occupancy tree by walking its nodes (instantiated for OcTree, ColorOcTree and
  * OcTreeStamped).
  *

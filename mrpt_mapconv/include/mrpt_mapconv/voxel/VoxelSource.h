@@ -1,5 +1,6 @@
 #pragma once
 
+#include <mrpt_mapconv/grid/GridFrame.h>
 #include <mrpt_mapconv/voxel/ColumnBlock.h>
 
 #include <cstdint>
@@ -20,6 +21,12 @@ struct KeyRect
 {
   std::int32_t xMin = 0, yMin = 0, xMax = -1, yMax = -1;
 };
+
+/** The frame of the cells in a rectangle. */
+inline grid::GridFrame frameOf(const KeyRect& rect, double resolution)
+{
+  return {resolution, rect.xMin, rect.yMin, rect.xMax - rect.xMin + 1, rect.yMax - rect.yMin + 1};
+}
 
 /** The one interface through which every voxel map is read.
  *
