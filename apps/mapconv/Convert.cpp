@@ -14,6 +14,7 @@
 #include "Console.h"
 #include "IniFile.h"
 #include "InputOptions.h"
+#include "Interruptible.h"
 #include "Scene.h"
 #include "Summary.h"
 
@@ -70,9 +71,11 @@ ConversionParams parametersOf(const ConvertOptions& options, const IniOptions& i
   return params;
 }
 
-void writeOutputs(const freespace::Layers& layers, const std::string& dir, Progress& progress)
+void writeOutputs(const freespace::Layers& layers, const std::string& dir, Progress& progress,
+                  Interruptible& interruptible)
 {
   grid::OutputDir out(dir);
+  interruptible.watch(&out);
   std::vector<std::function<void()>> jobs;
   jobs.emplace_back([&] { maps::writeLayersTiff(out.path("layers.tif"), layers); });
   for (const auto& [name, layer] : layers.named())
@@ -96,6 +99,7 @@ void writeOutputs(const freespace::Layers& layers, const std::string& dir, Progr
     jobs[i]();
     progress.done(static_cast<double>(i + 1) / static_cast<double>(jobs.size()));
   }
+  interruptible.watch(nullptr);
   out.commit();
 }
 
@@ -157,6 +161,7 @@ std::string textSummary(const Job& job, const freespace::Layers& layers,
 
 int convert(const ConvertOptions& options)
 {
+  Interruptible interruptible;
   ResultOutput result;
   const IniOptions ini = options.iniFile.empty() ? IniOptions() : readIni(options.iniFile);
   const ConversionParams params = parametersOf(options, ini);
@@ -176,7 +181,7 @@ int convert(const ConvertOptions& options)
   const auto counts = freespace::statistics(layers);
   warnAbout(counts, params, layers.frame().resolution);
   watch.lap();
-  writeOutputs(layers, options.outputDir, *progress);
+  writeOutputs(layers, options.outputDir, *progress, interruptible);
   seconds.write = watch.lap();
   progress.reset();
 

@@ -14,6 +14,7 @@
 #include "Console.h"
 #include "IniFile.h"
 #include "InputOptions.h"
+#include "Interruptible.h"
 #include "Summary.h"
 
 namespace mapconv
@@ -37,9 +38,11 @@ OccupancyCounts countsOf(const grid::Layer<float>& layer)
   return counts;
 }
 
-void writeOutputs(const grid::Layer<float>& layer, const ProjectOptions& options)
+void writeOutputs(const grid::Layer<float>& layer, const ProjectOptions& options,
+                  Interruptible& interruptible)
 {
   grid::OutputDir out(options.outputDir);
+  interruptible.watch(&out);
   const grid::PictureStyle style{"Occupancy between z = " + jsonNumber(options.zMin) + " m and " +
                                      jsonNumber(options.zMax) + " m",
                                  "", grid::PictureKind::Occupancy};
@@ -48,6 +51,7 @@ void writeOutputs(const grid::Layer<float>& layer, const ProjectOptions& options
   grid::writeRosMap(out.path("projection.pgm"), out.path("projection.yaml"), "projection.pgm",
                     layer);
   grid::writeLayerPng(out.path("projection.png"), layer, style);
+  interruptible.watch(nullptr);
   out.commit();
 }
 
@@ -68,6 +72,7 @@ int project(const ProjectOptions& options)
   if (!(options.zMin < options.zMax))
     throw UsageError("--z-min " + jsonNumber(options.zMin) + " must be below --z-max " +
                      jsonNumber(options.zMax));
+  Interruptible interruptible;
   ResultOutput result;
   InputRequest request = options.input;
   if (!options.iniFile.empty()) request.insertion = readIni(options.iniFile).insertion;
@@ -84,7 +89,7 @@ int project(const ProjectOptions& options)
       freespace::projectFixed(input.source(), options.zMin, options.zMax, options.threads);
   seconds.convert = watch.lap();
   progress->stage("writing to " + options.outputDir);
-  writeOutputs(layer, options);
+  writeOutputs(layer, options, interruptible);
   seconds.write = watch.lap();
   progress.reset();
   result.print(summary(options, input, layer, seconds));

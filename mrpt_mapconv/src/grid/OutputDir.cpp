@@ -39,11 +39,18 @@ OutputDir::OutputDir(const std::string& dir) : m_dir(dir)
   }
 }
 
-OutputDir::~OutputDir()
+OutputDir::~OutputDir() { discard(); }
+
+void OutputDir::discard() noexcept
 {
   if (m_staging.empty()) return;
-  std::error_code ignored;
-  fs::remove_all(m_staging, ignored);
+  // Another thread may be writing a file there just now, so that the folder is not empty yet.
+  std::error_code error;
+  for (int tries = 0; tries < 100; ++tries)
+  {
+    fs::remove_all(m_staging, error);
+    if (!error && !fs::exists(m_staging, error)) break;
+  }
   removeCreated();
 }
 

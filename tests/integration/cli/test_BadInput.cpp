@@ -210,3 +210,22 @@ TEST(BadOutput, aFullStdoutIsAnError)
   EXPECT_EQ(1, run.status);
   EXPECT_TRUE(contains(run.err, "stdout")) << run.err;
 }
+
+TEST(BadInput, aSignalWhileWritingLeavesNothingBehind)
+{
+  const TempDir dir;
+  ASSERT_EQ(0, mapconv({"sample-map", "outdoor", "-o", dir.path("big.bt")}).status);
+  for (const char* after : {"0.3", "0.6", "0.9", "1.2"})
+  {
+    const std::string out = dir.path("out");
+    const auto run = runProgram(
+        {"timeout", "-s", "INT", after, MAPCONV_PROGRAM, "convert", dir.path("big.bt"), "-o", out});
+    if (run.status == 0)
+    {
+      EXPECT_TRUE(std::filesystem::exists(out + "/layers.tif"));
+      std::filesystem::remove_all(out);
+    }
+    else
+      EXPECT_FALSE(std::filesystem::exists(out)) << after;
+  }
+}

@@ -42,6 +42,9 @@ class OutputDir
    * then never appears */
   void commit();
 
+  /** Removes what is staged and the folders that were created for it; nothing after commit(). */
+  void discard() noexcept;
+
  private:
   std::vector<std::string> stagedNames() const;
   void checkStaged(const std::vector<std::string>& names) const;

@@ -1,0 +1,45 @@
+#include "Interruptible.h"
+
+#include <csignal>
+
+namespace mapconv
+{
+namespace
+{
+constexpr int kStop = SIGUSR1;  // tells our own thread to end
+}
+
+Interruptible::Interruptible()
+{
+  sigemptyset(&m_signals);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, kStop}) sigaddset(&m_signals, signal);
+  pthread_sigmask(SIG_BLOCK, &m_signals, nullptr);
+  m_waiter = std::thread([this] { wait(); });
+}
+
+Interruptible::~Interruptible()
+{
+  pthread_kill(m_waiter.native_handle(), kStop);
+  m_waiter.join();
+  pthread_sigmask(SIG_UNBLOCK, &m_signals, nullptr);
+}
+
+void Interruptible::watch(mrpt_mapconv::grid::OutputDir* out)
+{
+  const std::lock_guard<std::mutex> lock(m_mutex);
+  m_out = out;
+}
+
+void Interruptible::wait()
+{
+  int signal = 0;
+  while (sigwait(&m_signals, &signal) != 0) continue;
+  if (signal == kStop) return;
+  const std::lock_guard<std::mutex> lock(m_mutex);
+  if (m_out) m_out->discard();
+  std::signal(signal, SIG_DFL);
+  pthread_sigmask(SIG_UNBLOCK, &m_signals, nullptr);
+  std::raise(signal);  // the caller sees that a signal has ended us
+}
+
+}  // namespace mapconv
