@@ -75,7 +75,7 @@ void writeOutputs(const freespace::Layers& layers, const std::string& dir, Progr
                   Interruptible& interruptible)
 {
   grid::OutputDir out(dir);
-  interruptible.watch(&out);
+  const auto watch = interruptible.watch(out);
   std::vector<std::function<void()>> jobs;
   jobs.emplace_back([&] { maps::writeLayersTiff(out.path("layers.tif"), layers); });
   for (const auto& [name, layer] : layers.named())
@@ -99,8 +99,7 @@ void writeOutputs(const freespace::Layers& layers, const std::string& dir, Progr
     jobs[i]();
     progress.done(static_cast<double>(i + 1) / static_cast<double>(jobs.size()));
   }
-  interruptible.watch(nullptr);
-  out.commit();
+  interruptible.commit();
 }
 
 void warnAbout(const freespace::LayerStatistics& counts, const ConversionParams& params,

@@ -24,10 +24,18 @@ Interruptible::~Interruptible()
   pthread_sigmask(SIG_UNBLOCK, &m_signals, nullptr);
 }
 
-void Interruptible::watch(mrpt_mapconv::grid::OutputDir* out)
+void Interruptible::set(mrpt_mapconv::grid::OutputDir* out)
 {
   const std::lock_guard<std::mutex> lock(m_mutex);
   m_out = out;
+}
+
+void Interruptible::commit()
+{
+  const std::lock_guard<std::mutex> lock(m_mutex);
+  auto* out = m_out;
+  m_out = nullptr;
+  out->commit();
 }
 
 void Interruptible::wait()

@@ -18,10 +18,29 @@ class Interruptible
   Interruptible(const Interruptible&) = delete;
   Interruptible& operator=(const Interruptible&) = delete;
 
-  /** The outputs being staged; null when they are in place or gone. */
-  void watch(mrpt_mapconv::grid::OutputDir* out);
+  /** Says what is being staged, until the result goes out of scope, which must be before `out`
+   * does. */
+  class Watch
+  {
+   public:
+    explicit Watch(Interruptible& interruptible) : m_interruptible(interruptible) {}
+    ~Watch() { m_interruptible.set(nullptr); }
+    Watch(const Watch&) = delete;
+    Watch& operator=(const Watch&) = delete;
+
+   private:
+    Interruptible& m_interruptible;
+  };
+  [[nodiscard]] Watch watch(mrpt_mapconv::grid::OutputDir& out)
+  {
+    set(&out);
+    return Watch(*this);
+  }
+  /** Moves them to their places; signals wait until that is done. */
+  void commit();
 
  private:
+  void set(mrpt_mapconv::grid::OutputDir* out);
   void wait();
 
   sigset_t m_signals;

@@ -42,7 +42,7 @@ void writeOutputs(const grid::Layer<float>& layer, const ProjectOptions& options
                   Interruptible& interruptible)
 {
   grid::OutputDir out(options.outputDir);
-  interruptible.watch(&out);
+  const auto watch = interruptible.watch(out);
   const grid::PictureStyle style{"Occupancy between z = " + jsonNumber(options.zMin) + " m and " +
                                      jsonNumber(options.zMax) + " m",
                                  "", grid::PictureKind::Occupancy};
@@ -51,8 +51,7 @@ void writeOutputs(const grid::Layer<float>& layer, const ProjectOptions& options
   grid::writeRosMap(out.path("projection.pgm"), out.path("projection.yaml"), "projection.pgm",
                     layer);
   grid::writeLayerPng(out.path("projection.png"), layer, style);
-  interruptible.watch(nullptr);
-  out.commit();
+  interruptible.commit();
 }
 
 std::string summary(const ProjectOptions& options, const InputMap& input,

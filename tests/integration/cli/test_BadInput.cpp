@@ -218,14 +218,12 @@ TEST(BadInput, aSignalWhileWritingLeavesNothingBehind)
   for (const char* after : {"0.3", "0.6", "0.9", "1.2"})
   {
     const std::string out = dir.path("out");
-    const auto run = runProgram(
+    runProgram(
         {"timeout", "-s", "INT", after, MAPCONV_PROGRAM, "convert", dir.path("big.bt"), "-o", out});
-    if (run.status == 0)
-    {
-      EXPECT_TRUE(std::filesystem::exists(out + "/layers.tif"));
-      std::filesystem::remove_all(out);
-    }
-    else
-      EXPECT_FALSE(std::filesystem::exists(out)) << after;
+    if (!std::filesystem::exists(out)) continue;  // ended before the files were in place
+    EXPECT_TRUE(std::filesystem::exists(out + "/map.3Dscene")) << after;
+    for (const auto& entry : std::filesystem::directory_iterator(out))
+      EXPECT_NE('.', entry.path().filename().string()[0]) << entry.path();
+    std::filesystem::remove_all(out);
   }
 }
