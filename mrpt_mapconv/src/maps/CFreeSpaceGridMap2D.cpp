@@ -34,7 +34,7 @@ CFreeSpaceGridMap2D::CFreeSpaceGridMap2D(double resolution)
       m_octree(std::make_unique<octomap::OcTree>(checkedResolution(resolution)))
 {
   voxelInsertionOptions.applyTo(*m_octree);
-  internal_clear();
+  showAllCells();
 }
 
 CFreeSpaceGridMap2D::~CFreeSpaceGridMap2D() = default;

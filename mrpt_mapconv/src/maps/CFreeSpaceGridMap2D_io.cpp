@@ -124,7 +124,10 @@ void CFreeSpaceGridMap2D::saveMetricMapRepresentationToFile(const std::string& p
   {
     maps::writeLayersTiff(out.path(name + "_layers.tif"), layers);
     for (const auto& [layerName, layer] : layers.named())
-      maps::writeLayerPicture(out.path(name + "_" + layerName + ".png"), layers, layerName);
+    {
+      const std::string picture = mrpt::format("%s_%s.png", name.c_str(), layerName.c_str());
+      maps::writeLayerPicture(out.path(picture), layers, layerName);
+    }
     std::ostringstream octree;
     m_octree->write(octree);
     grid::writeFile(out.path(name + ".ot"), octree.str());

@@ -13,9 +13,14 @@ namespace
 {
 constexpr std::int32_t kKeyOffset = voxel::kOctomapKeyOffset;
 
-octomap::point3d toOctomap(const mrpt::math::TPoint3D& p)
+octomap::point3d toOctomap(double x, double y, double z)
 {
-  return {static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
+  return {static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)};
+}
+
+octomap::point3d originOf(const SensorPoints& scan)
+{
+  return toOctomap(scan.sensorPose.x(), scan.sensorPose.y(), scan.sensorPose.z());
 }
 
 /** Where the part of a beam that is inserted ends; nothing if that is outside the tree. */
@@ -34,7 +39,9 @@ std::optional<octomap::OcTreeKey> endKey(const octomap::OcTree& tree,
 
 octomap::point3d inMap(const SensorPoints& scan, const mrpt::math::TPoint3Df& point)
 {
-  return toOctomap(scan.sensorPose.composePoint(mrpt::math::TPoint3D(point)));
+  double x = 0, y = 0, z = 0;
+  scan.sensorPose.composePoint(point.x, point.y, point.z, x, y, z);
+  return toOctomap(x, y, z);
 }
 
 /** The sensor's key.
@@ -42,8 +49,7 @@ octomap::point3d inMap(const SensorPoints& scan, const mrpt::math::TPoint3Df& po
 octomap::OcTreeKey sensorKey(const octomap::OcTree& tree, const SensorPoints& scan)
 {
   octomap::OcTreeKey key;
-  if (!isFinite(scan.sensorPose) ||
-      !tree.coordToKeyChecked(toOctomap(scan.sensorPose.translation()), key))
+  if (!isFinite(scan.sensorPose) || !tree.coordToKeyChecked(originOf(scan), key))
     throw std::runtime_error("sensor pose " + scan.sensorPose.asString() +
                              " is not finite or outside the voxel map's range");
   return key;
@@ -95,7 +101,7 @@ grid::GridFrame frameOfScan(const octomap::OcTree& tree, const SensorPoints& sca
   const auto at = [&](const octomap::OcTreeKey& key) {
     return grid::GridFrame{tree.getResolution(), key[0] - kKeyOffset, key[1] - kKeyOffset, 1, 1};
   };
-  const auto origin = toOctomap(scan.sensorPose.translation());
+  const auto origin = originOf(scan);
   grid::GridFrame frame = at(sensorKey(tree, scan));
   for (const auto& point : scan.points)
     if (const auto key = endKey(tree, origin, inMap(scan, point), options.maxrange))
@@ -107,7 +113,7 @@ grid::GridFrame frameOfScan(const octomap::OcTree& tree, const SensorPoints& sca
 voxel::ColumnSet insertScan(octomap::OcTree& tree, const SensorPoints& scan,
                             const TVoxelInsertionOptions& options, PointWarnings* warnings)
 {
-  const auto origin = toOctomap(scan.sensorPose.translation());
+  const auto origin = originOf(scan);
   sensorKey(tree, scan);  // checks it
   const auto cloud = toCloud(tree, scan, origin, options.maxrange, warnings);
 
