@@ -7,7 +7,7 @@ packages=(
   libmrpt-dev mrpt-apps mrpt-common
   libeigen3-dev liboctomap-dev libgdal-dev libtbb-dev libcli11-dev zlib1g-dev
   libgtest-dev libbenchmark-dev
-  gdal-bin xvfb xauth imagemagick x11-utils xdotool
+  xvfb imagemagick
 )
 
 missing=()
@@ -20,6 +20,6 @@ done
 as_root() { if [ "$(id -u)" -eq 0 ]; then "$@"; else sudo "$@"; fi; }
 echo "Installing from Debian: ${missing[*]}"
 export DEBIAN_FRONTEND=noninteractive
-as_root apt-get update -qq
+as_root apt-get -o DPkg::Lock::Timeout=300 update -qq
 as_root env DEBIAN_FRONTEND=noninteractive \
-  apt-get install -y -qq --no-install-recommends "${missing[@]}"
+  apt-get -o DPkg::Lock::Timeout=300 install -y -qq --no-install-recommends "${missing[@]}"

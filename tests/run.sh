@@ -6,7 +6,7 @@ root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=${MRPT_MAPCONV_BUILD:-$root/build}
 
 "$root/share/setup.sh"
-cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release -DMRPT_MAPCONV_TESTS=ON
+cmake -S "$root" -B "$build" -DCMAKE_BUILD_TYPE=Release -DMRPT_MAPCONV_TESTS=ON -DMRPT_MAPCONV_WERROR=ON
 cmake --build "$build" --parallel "$(nproc)"
 cd "$build"
 exec ctest --output-on-failure --parallel "$(nproc)" "$@"

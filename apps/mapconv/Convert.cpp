@@ -6,6 +6,7 @@
 #include <mrpt_mapconv/maps/LayerFiles.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -116,8 +117,8 @@ void warnAbout(const freespace::LayerStatistics& counts, const ConversionParams&
   if (minStep > kHighStep && !stepsChecked)
     printWarning(
         mrpt::format("the slope test marks straight steps for the ground robot only from "
-                     "minStep = %.2f m on; --max-step 0.1, say, also marks lower ones",
-                     minStep));
+                     "minStep = %.2f m on; --max-step %.2g, say, also marks lower ones",
+                     minStep, std::max(0.1, 1.5 * resolution)));
 }
 
 JsonObject parametersJson(const ConversionParams& params)
@@ -148,7 +149,7 @@ std::string textSummary(const Job& job, const freespace::Layers& layers,
   std::string text = headText(job, layers.frame());
   text += countsText("aerial", {counts.free, counts.occupied, counts.unknown});
   text += mrpt::format(
-      "ground       %zu of the free cells are too steep (steep), "
+      "ground       %zu of the free cells are too steep or too high a step (steep), "
       "%zu have no known slope (slopeUnknown)\n",
       counts.steep, counts.slopeUnknown);
   text += mrpt::format("minStep      %.2f m: lowest straight step that the slope test marks; ",

@@ -12,7 +12,13 @@ constexpr int kStop = SIGUSR1;  // tells our own thread to end
 Interruptible::Interruptible()
 {
   sigemptyset(&m_signals);
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP, kStop}) sigaddset(&m_signals, signal);
+  sigaddset(&m_signals, kStop);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+  {
+    struct sigaction action = {};
+    sigaction(signal, nullptr, &action);
+    if (action.sa_handler != SIG_IGN) sigaddset(&m_signals, signal);  // nohup ignores SIGHUP, say
+  }
   pthread_sigmask(SIG_BLOCK, &m_signals, nullptr);
   m_waiter = std::thread([this] { wait(); });
 }

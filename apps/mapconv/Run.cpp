@@ -28,14 +28,26 @@ std::string libraryPath()
   return std::filesystem::canonical(info.dli_fname).string();
 }
 
+/** Puts a word in front of a list of the environment that colons separate. */
+void putInFront(const char* variable, const std::string& word)
+{
+  const char* others = std::getenv(variable);
+  ::setenv(variable, (others && *others ? word + ":" + others : word).c_str(), 1);
+}
+
 void preload(const std::string& library)
 {
-  if (library.find_first_of(" :") != std::string::npos)
-    throw std::runtime_error("'" + library +
-                             "' cannot be preloaded: its path holds a space or a colon");
-  const char* others = std::getenv("LD_PRELOAD");
-  const std::string all = others && *others ? library + ":" + others : library;
-  ::setenv("LD_PRELOAD", all.c_str(), 1);
+  if (library.find(':') != std::string::npos)
+    throw std::runtime_error("'" + library + "' cannot be preloaded: its path holds a colon");
+  if (library.find(' ') == std::string::npos)
+  {
+    putInFront("LD_PRELOAD", library);
+    return;
+  }
+  // A space ends a name in LD_PRELOAD, but not in LD_LIBRARY_PATH.
+  const std::filesystem::path path(library);
+  putInFront("LD_LIBRARY_PATH", path.parent_path().string());
+  putInFront("LD_PRELOAD", path.filename().string());
 }
 
 int run(std::vector<std::string> words)

@@ -3,6 +3,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <csignal>
 #include <new>
 #include <string>
 #include <utility>
@@ -57,6 +58,7 @@ int runChosen(const std::vector<std::pair<CLI::App*, mapconv::Command>>& command
 
 int main(int argc, char** argv)
 {
+  std::signal(SIGXFSZ, SIG_IGN);  // a file that may not grow is an error like a full disk
   std::vector<std::string> arguments(argv + 1, argv + argc);
   const std::vector<std::string> program = mapconv::takeProgram(arguments);
   CLI::App app("Turns voxel maps and 3D scans into 2D maps for aerial and ground robots.",

@@ -23,8 +23,8 @@ std::optional<grid::GridFrame> knownFrame(const voxel::VoxelSource& source)
 
 using Strip = std::vector<BlockJob>;
 
-/** Jobs for the touched blocks in strips of whole rows of blocks, from the lowest y up: what a strip
- * keeps between the passes is all the memory that a conversion needs beside the layers. */
+/** Jobs for the touched blocks in strips of whole rows of blocks, from the lowest y up: what a
+ * strip keeps between the passes is all the memory that a conversion needs beside the layers. */
 class Strips
 {
  public:
@@ -34,7 +34,8 @@ class Strips
   {
     m_keys.reserve(touched.blocks().size());
     for (const auto& [key, mask] : touched.blocks()) m_keys.push_back(key);
-    std::sort(m_keys.begin(), m_keys.end(), [](const voxel::BlockKey& a, const voxel::BlockKey& b)
+    std::sort(m_keys.begin(), m_keys.end(),
+              [](const voxel::BlockKey& a, const voxel::BlockKey& b)
               { return std::tie(a.y, a.x) < std::tie(b.y, b.x); });
   }
 
@@ -71,9 +72,9 @@ class Strips
   std::size_t m_next = 0;
 };
 
-/** Brings the layers up to date: reads the columns `read`, then writes slope and ground occupancy of
- * the columns `touched`, which hold them. Full conversion is "all columns". The second pass of a strip
- * runs once the first pass of the next one has found the floors there. */
+/** Brings the layers up to date: reads the columns `read`, then writes slope and ground occupancy
+ * of the columns `touched`, which hold them. Full conversion is "all columns". The second pass of a
+ * strip runs once the first pass of the next one has found the floors there. */
 void convertColumns(const voxel::VoxelSource& source, const voxel::ColumnSet& read,
                     const voxel::ColumnSet& touched, const ConversionParams& params, int threads,
                     Layers& layers)

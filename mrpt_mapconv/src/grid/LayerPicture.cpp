@@ -71,7 +71,8 @@ Content occupancyContent(const Layer<float>& layer, const Layer<float>* aerial, 
                     swatch(metrics, kOccupiedColor, "occupied"),
                     swatch(metrics, kUnknownColor, "unknown")};
   if (aerial)
-    content.legend.push_back(swatch(metrics, kSteepColor, "too steep (free for a flying robot)"));
+    content.legend.push_back(
+        swatch(metrics, kSteepColor, "too steep or too high a step (free for a flying robot)"));
   return content;
 }
 

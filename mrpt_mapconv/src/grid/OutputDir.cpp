@@ -61,9 +61,13 @@ void OutputDir::createDir()
   {
     path /= part;
     if (::mkdir(path.c_str(), 0777) == 0)
+    {
       m_created.push_back(path.string());
-    else if (std::error_code ignored; !fs::is_directory(path, ignored))
-      throwFileError("create the folder", m_dir, errno == EEXIST ? ENOTDIR : errno);
+      continue;
+    }
+    const int reason = errno;  // looking at the folder sets another
+    if (std::error_code ignored; !fs::is_directory(path, ignored))
+      throwFileError("create the folder", m_dir, reason == EEXIST ? ENOTDIR : reason);
   }
   if (m_dir.empty()) throwFileError("create the folder", m_dir, ENOENT);
 }

@@ -1,10 +1,9 @@
 #pragma once
 
 #include <mrpt_mapconv/grid/Layer.h>
+#include <mrpt_mapconv/grid/PictureColors.h>
 
 #include <vector>
-
-#include <mrpt_mapconv/grid/PictureColors.h>
 
 namespace mrpt_mapconv::grid::picture
 {

@@ -227,3 +227,27 @@ TEST(BadInput, aSignalWhileWritingLeavesNothingBehind)
     std::filesystem::remove_all(out);
   }
 }
+
+TEST(BadInput, aFileThatMayNotGrowIsLikeAFullDisk)
+{
+  const TempDir dir;
+  ASSERT_EQ(0, mapconv({"sample-map", "building", "-o", dir.path("b.bt")}).status);
+  const auto run =
+      runProgram({"bash", "-c", "ulimit -f 30; exec \"$0\" convert \"$1\" -o \"$2\" --max-step 0.1",
+                  MAPCONV_PROGRAM, dir.path("b.bt"), dir.path("out")});
+  EXPECT_EQ(1, run.status);
+  EXPECT_TRUE(isOneError(run.err)) << run.err;
+  EXPECT_FALSE(std::filesystem::exists(dir.path("out")));
+}
+
+TEST(BadInput, aSignalThatTheCallerIgnoresIsIgnored)
+{
+  const TempDir dir;
+  ASSERT_EQ(0, mapconv({"sample-map", "outdoor", "-o", dir.path("big.bt")}).status);
+  const auto run = runProgram({"bash", "-c",
+                               "trap '' HUP; \"$0\" convert \"$1\" -o \"$2\" & "
+                               "sleep 0.4; kill -HUP $!; wait $!",
+                               MAPCONV_PROGRAM, dir.path("big.bt"), dir.path("out")});
+  EXPECT_EQ(0, run.status) << run.err;
+  EXPECT_TRUE(std::filesystem::exists(dir.path("out") + "/map.3Dscene"));
+}

@@ -67,3 +67,19 @@ TEST(Run, warnsOfMapsThatMrptWouldIgnoreSilently)
   const std::string good = std::string(MRPT_MAPCONV_SOURCE_DIR) + "/config/observations2map.ini";
   EXPECT_EQ("", mapconv({"run", "--", "true", good}).err);
 }
+
+TEST(Run, worksFromAFolderWithASpaceInItsName)
+{
+  const TempDir dir;
+  const std::filesystem::path place(dir.path("a b"));
+  std::filesystem::create_directories(place / "bin");
+  std::filesystem::create_directories(place / "lib");
+  const auto library = std::filesystem::canonical(MRPT_MAPCONV_LIBRARY);
+  std::filesystem::copy(library, place / "lib" / library.filename());
+  const std::string shell = "LD_LIBRARY_PATH='" + (place / "lib").string() + "' LD_PRELOAD='" +
+                            library.filename().string() +
+                            "' exec '" MAPCONV_PROGRAM "' run -- cat /proc/self/maps";
+  const auto run = runProgram({"sh", "-c", shell});
+  EXPECT_EQ(0, run.status) << run.err;
+  EXPECT_TRUE(contains(run.out, (place / "lib" / library.filename()).string())) << run.err;
+}

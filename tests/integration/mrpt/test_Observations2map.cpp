@@ -16,7 +16,10 @@ using namespace mrpt_mapconv::maps::fixtures;
 
 namespace
 {
-const std::string kIni = std::string(MRPT_MAPCONV_SOURCE_DIR) + "/config/observations2map.ini";
+const std::string kIniFile = std::string(MRPT_MAPCONV_SOURCE_DIR) + "/config/observations2map.ini";
+const std::string kIni = "'" + kIniFile + "'";
+const std::string kPreload =
+    "LD_PRELOAD=libmrpt_mapconv.so LD_LIBRARY_PATH=\"$(dirname '" MRPT_MAPCONV_LIBRARY "')\" ";
 
 /** Four scans of a room of 6 × 6 m whose middle is (0, 0), taken 0.1 m apart along x. */
 std::string roomSimpleMap(const TempDir& dir)
@@ -74,10 +77,7 @@ TEST(Observations2map, BuildsOurMapFromItsIniWithThePluginPreloaded)
 {
   const TempDir dir;
   const auto simplemap = roomSimpleMap(dir);
-  ASSERT_EQ(
-      run("LD_PRELOAD=" MRPT_MAPCONV_LIBRARY " observations2map " + kIni + " " + simplemap + " out",
-          dir),
-      0)
+  ASSERT_EQ(run(kPreload + "observations2map " + kIni + " " + simplemap + " out", dir), 0)
       << readBytes(dir.file("log"));
   expectRoom(dir.file("out_gridmap_no00.gridmap"));
   EXPECT_TRUE(
@@ -88,7 +88,7 @@ TEST(Observations2map, RunsThroughMapconv)
 {
   const TempDir dir;
   const auto simplemap = roomSimpleMap(dir);
-  ASSERT_EQ(run(std::string(MAPCONV_PROGRAM) + " run -- observations2map " + kIni + " " +
+  ASSERT_EQ(run(std::string("'" MAPCONV_PROGRAM "'") + " run -- observations2map " + kIni + " " +
                     simplemap + " out",
                 dir),
             0)
@@ -108,15 +108,12 @@ TEST(Observations2map, SaysWhichIniValueIsWrong)
 {
   const TempDir dir;
   const auto simplemap = roomSimpleMap(dir);
-  auto ini = readBytes(kIni);
+  auto ini = readBytes(kIniFile);
   const std::string good = "slopeWindow  = 2";
   ASSERT_NE(ini.find(good), std::string::npos);
   ini.replace(ini.find(good), good.size(), "slopeWindow  = two");
   writeBytes(dir.file("bad.ini"), ini);
-  EXPECT_NE(
-      run("LD_PRELOAD=" MRPT_MAPCONV_LIBRARY " observations2map bad.ini " + simplemap + " out",
-          dir),
-      0);
+  EXPECT_NE(run(kPreload + "observations2map bad.ini " + simplemap + " out", dir), 0);
   const auto said = readBytes(dir.file("log"));
   EXPECT_TRUE(contains(said, "MappingApplication_freeSpaceGrid_00_conversionOpts")) << said;
   EXPECT_TRUE(contains(said, "slopeWindow = 'two'")) << said;

@@ -112,3 +112,26 @@ TEST(OutputDir, MessagesNameTheFinalPath)
   EXPECT_EQ(mrpt_mapconv::grid::withoutStaging("a/.mapconv/floor.png: no"),
             "a/.mapconv/floor.png: no");
 }
+
+TEST(OutputDir, SaysWhyAFolderCannotBeCreated)
+{
+  const mrpt_mapconv::testing::TempDir dir;
+  const std::string closed = dir.path("closed");
+  ASSERT_EQ(0, ::mkdir(closed.c_str(), 0500));
+  if (::geteuid() == 0 && ::seteuid(65534) != 0) GTEST_SKIP() << "cannot drop root's rights";
+  ::chmod(dir.path().c_str(), 0755);
+  std::string message;
+  try
+  {
+    const mrpt_mapconv::grid::OutputDir out(closed + "/x");
+  }
+  catch (const std::runtime_error& error)
+  {
+    message = error.what();
+  }
+  if (::getuid() == 0)
+  {
+    ASSERT_EQ(0, ::seteuid(0));
+  }
+  EXPECT_NE(std::string::npos, message.find("Permission denied")) << message;
+}

@@ -30,7 +30,7 @@ struct PictureStyle
  *
  * \param layer at least one cell
  * \param aerial only for Occupancy, on the same frame: occupied cells that are free in this layer
- * are shown as "too steep (free for a flying robot)"
+ * are shown as "too steep or too high a step (free for a flying robot)"
  * \exception std::invalid_argument for an empty layer or an aerial layer on another frame */
 mrpt::img::CImage drawLayer(const Layer<float>& layer, const PictureStyle& style,
                             const Layer<float>* aerial = nullptr);
