@@ -31,13 +31,9 @@ void addRange(Content& content, const Metrics& metrics, const ColorRange& range,
   if (!range.empty) content.legend.push_back(colorBar(metrics, range, unit, colorOf));
   content.legend.push_back(swatch(metrics, kNoDataColor, "no data"));
   if (range.clippedLow() || range.clippedHigh())
-    content.legend.push_back(
-        note(metrics, std::string("colours cut at ") +
-                          (range.clippedLow() && range.clippedHigh() ? "2 % and 98 %"
-                           : range.clippedLow()                      ? "2 %"
-                                                                     : "98 %") +
-                          " of the cells; values from " + number(range.dataMin, 2) + " to " +
-                          number(range.dataMax, 2) + " " + unit));
+    content.legend.push_back(note(metrics, "colours leave out the outermost values; values from " +
+                                               number(range.dataMin, 2) + " to " +
+                                               number(range.dataMax, 2) + " " + unit));
 }
 
 Content heightContent(const Layer<float>& layer, const std::string& unit, const Zoom& zoom,

@@ -10,7 +10,7 @@ namespace mrpt_mapconv::grid
 /** What the values of a layer mean, and so how they are coloured. */
 enum class PictureKind
 {
-  Height,     //!< heights; colours span the data without the outermost 2 % at either end
+  Height,     //!< heights; colours span the data without the outermost 0.5 % at either end
   Slope,      //!< slopes; colours span 0 to the data's 98 %
   Occupancy,  //!< 0 free, (0, 1] occupied, else unknown
 };

@@ -38,7 +38,7 @@ struct ColorRange
   double position(double value) const { return std::clamp((value - low) / (high - low), 0.0, 1.0); }
 };
 
-/** 2nd to 98th percentile, or everything if the outliers hardly matter. */
+/** 0.5th to 99.5th percentile, or everything if the outliers hardly matter. */
 ColorRange heightRange(const Layer<float>& layer);
 /** 0 to the 98th percentile, or to the largest value if the outliers hardly matter. */
 ColorRange slopeRange(const Layer<float>& layer);
