@@ -5,9 +5,9 @@ set -euo pipefail
 packages=(
   g++ cmake make git
   libmrpt-dev mrpt-apps mrpt-common
-  libeigen3-dev liboctomap-dev libgdal-dev libtbb-dev libcli11-dev zlib1g-dev
+  libeigen3-dev liboctomap-dev libgdal-dev libtbb-dev libembree-dev libcli11-dev zlib1g-dev
   libgtest-dev libbenchmark-dev
-  xvfb imagemagick
+  gnuplot-nox xvfb imagemagick
 )
 
 missing=()

@@ -3,15 +3,11 @@
 #include <mrpt/config/CLoadableOptions.h>
 #include <mrpt/serialization/CArchive.h>
 #include <mrpt_mapconv/freespace/ConversionParams.h>
+#include <mrpt_mapconv/freespace/Robot.h>
 
 namespace mrpt_mapconv::maps
 {
-/** For which robot an occupancy grid is meant. */
-enum class Robot : std::uint8_t
-{
-  Ground,
-  Aerial
-};
+using freespace::Robot;
 
 /** Options of the free-space projection as MRPT reads and prints them; in an ini file: robot
  * (ground|aerial), minClearance, minOccupancy, slopeWindow, maxSlope, maxStep. */

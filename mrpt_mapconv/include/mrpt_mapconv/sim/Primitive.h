@@ -1,0 +1,69 @@
+#pragma once
+
+#include <mrpt_mapconv/maps/StrictSection.h>
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace mrpt_mapconv::sim
+{
+/** The part of a vertical line that lies inside a solid. */
+struct Solid
+{
+  double bottom = 0, top = 0;  //!< z of its ends [m]
+  double slope = 0;            //!< of the upper face at this place [m/m]
+};
+
+/** A horizontal rectangle [m]. */
+struct Footprint
+{
+  double xMin = 0, yMin = 0, xMax = 0, yMax = 0;
+};
+
+/** Triangles in the world's frame [m]. */
+struct Mesh
+{
+  std::vector<std::array<float, 3>> vertices;
+  std::vector<std::array<std::uint32_t, 3>> triangles;  //!< indices of vertices
+};
+
+/** A body that a world is made of. Its surface is seen by rays, its inside is known for the truth;
+ * both describe the same geometry.
+ *
+ * A new primitive is one file in src/sim/primitives: a class, and a PrimitiveKind that says how it
+ * is named and read.
+ */
+class Primitive
+{
+ public:
+  virtual ~Primitive() = default;
+  /** The smallest rectangle that holds it. */
+  virtual Footprint footprint() const = 0;
+  /** Adds the triangles of its surface. */
+  virtual void appendMesh(Mesh& mesh) const = 0;
+  /** Adds the parts of the vertical line through (x, y) [m] that are inside. */
+  virtual void appendSolids(double x, double y, std::vector<Solid>& solids) const = 0;
+  /** Share of the rays that go through its surface unseen, 0 … 1 (glass). */
+  virtual double transparency() const { return 0; }
+};
+
+/** Registers a kind of primitive: sections [kind.NAME] of a world file are read by `read`.
+ *
+ * `read` takes the keys it knows from the section (which complains about the rest) and throws by
+ * StrictSection::fail() for values that make no body.
+ */
+struct PrimitiveKind
+{
+  using Reader = std::unique_ptr<Primitive> (*)(maps::StrictSection& section);
+  PrimitiveKind(const char* kind, Reader read);
+
+  /** Names of all kinds, in alphabetical order. */
+  static std::vector<std::string> names();
+  /** \return nullptr for a kind that is not registered */
+  static Reader reader(const std::string& kind);
+};
+
+}  // namespace mrpt_mapconv::sim

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <mrpt_mapconv/freespace/Layers.h>
+#include <mrpt_mapconv/sim/World.h>
+
+namespace mrpt_mapconv::sim
+{
+/** What is asked of a world. */
+struct TruthParams
+{
+  double minClearance = 1.0;  //!< a vertical gap must be at least this high to fly in [m]
+  double robotHeight = 1.0;   //!< of the ground robot [m]
+  double maxSlope = 0.5;      //!< truthSlope: steepest ground for it [m/m]
+  double maxStep = 0.1;       //!< truthStep: highest jump of the ground for it [m]
+
+  /** \exception std::invalid_argument naming the parameter, its value and what would be right */
+  void check() const;
+};
+
+/** The frame of the cells that a world's bounds touch. \param resolution [m] */
+grid::GridFrame frameOf(const World& world, double resolution);
+
+/** True layers, evaluated at the cells' centres from the geometry, never from a map.
+ *
+ * A gap is a part of the vertical line, within the world's bounds, between two solids, or above
+ * the highest one (its ceiling is then +infinity); what is below the lowest solid is no gap.
+ * - floor, ceiling: bottom of the lowest, top of the highest gap that is ≥ minClearance [m]; NaN:
+ *   there is none;
+ * - slope: of the surface at `floor` [m/m]; NaN where floor is;
+ * - aerial: 0 where there is such a gap, 1 where there are solids but no gap, −1 without a solid;
+ * - ground: 0 where the gap above the lowest solid is at least the robot's height, the slope there
+ *   is ≤ maxSlope and no jump > maxStep of the lowest solid's top lies within half a cell; 1 where
+ *   not; −1 without a solid. Jumps are looked for between the points of a lattice with 8 steps to
+ *   a cell, its borders included.
+ *
+ * \param threads 0 = all cores */
+freespace::Layers truthLayers(const World& world, const grid::GridFrame& frame,
+                              const TruthParams& params, int threads = 0);
+
+}  // namespace mrpt_mapconv::sim
