@@ -24,6 +24,10 @@ std::pair<CLI::App*, Command> addProject(CLI::App& app);
 std::pair<CLI::App*, Command> addInfo(CLI::App& app);
 std::pair<CLI::App*, Command> addRun(CLI::App& app, std::vector<std::string> program);
 std::pair<CLI::App*, Command> addSampleMap(CLI::App& app);
+std::pair<CLI::App*, Command> addPlan(CLI::App& app);
+std::pair<CLI::App*, Command> addLift(CLI::App& app);
+std::pair<CLI::App*, Command> addSimulate(CLI::App& app);
+std::pair<CLI::App*, Command> addExperiment(CLI::App& app);
 /** @} */
 
 /** Takes the program and its arguments off "mapconv run -- PROGRAM ARGS…": they are not ours, and

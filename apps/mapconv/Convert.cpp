@@ -4,6 +4,8 @@
 #include <mrpt_mapconv/grid/OutputDir.h>
 #include <mrpt_mapconv/grid/RosMap.h>
 #include <mrpt_mapconv/maps/LayerFiles.h>
+#include <mrpt_mapconv/voxel/OctreeFile.h>
+#include <octomap/AbstractOccupancyOcTree.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -72,13 +74,15 @@ ConversionParams parametersOf(const ConvertOptions& options, const IniOptions& i
   return params;
 }
 
-void writeOutputs(const freespace::Layers& layers, const std::string& dir, Progress& progress,
+void writeOutputs(const freespace::Layers& layers, const ConversionParams& params,
+                  const InputMap& input, const std::string& dir, Progress& progress,
                   Interruptible& interruptible)
 {
   grid::OutputDir out(dir);
   const auto watch = interruptible.watch(out);
   std::vector<std::function<void()>> jobs;
-  jobs.emplace_back([&] { maps::writeLayersTiff(out.path("layers.tif"), layers); });
+  jobs.emplace_back([&] { maps::writeLayersTiff(out.path("layers.tif"), layers, params); });
+  jobs.emplace_back([&] { voxel::writeOctreeFile(out.path("voxels.bt"), input.octree()); });
   for (const auto& [name, layer] : layers.named())
     jobs.emplace_back([&, name = name]
                       { maps::writeLayerPicture(out.path(name + ".png"), layers, name); });
@@ -181,7 +185,7 @@ int convert(const ConvertOptions& options)
   const auto counts = freespace::statistics(layers);
   warnAbout(counts, params, layers.frame().resolution);
   watch.lap();
-  writeOutputs(layers, options.outputDir, *progress, interruptible);
+  writeOutputs(layers, params, input, options.outputDir, *progress, interruptible);
   seconds.write = watch.lap();
   progress.reset();
 
@@ -214,8 +218,9 @@ std::pair<CLI::App*, Command> addConvert(CLI::App& app)
       "Example:\n"
       "  mapconv convert building.bt -o maps --min-clearance 0.5 --max-step 0.1\n"
       "  mapconv convert drive.rawlog -o maps --resolution 0.2 -c conversion.ini\n"
-      "DIR gets layers.tif; aerial and ground .gridmap, .pgm and .yaml; a .png of each layer;\n"
-      "map.3Dscene. In the summary free, occupied and unknown count cells of the aerial layer;\n"
+      "DIR gets layers.tif; voxels.bt; aerial and ground .gridmap, .pgm and .yaml; a .png of each\n"
+      "layer; map.3Dscene. It is what plan and lift work on. In the summary free, occupied and "
+      "unknown count cells of the aerial layer;\n"
       "steep are those that are free there but not for a ground robot.");
   return {sub, [options] { return convert(*options); }};
 }

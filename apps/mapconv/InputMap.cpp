@@ -92,13 +92,21 @@ InputMap::InputMap(const InputRequest& request, Progress& progress)
 
 InputMap::~InputMap() = default;
 
+const octomap::AbstractOccupancyOcTree& InputMap::octree() const { return *m_tree; }
+
+void InputMap::useTree(const octomap::AbstractOcTree& tree)
+{
+  m_source = voxel::makeOctreeSource(tree);  // which refuses all but occupancy trees
+  m_tree = dynamic_cast<const octomap::AbstractOccupancyOcTree*>(&tree);
+}
+
 void InputMap::readTree(const InputRequest& request)
 {
-  m_tree = voxel::readOctreeFile(request.file);
-  if (m_tree->size() == 0)
+  m_ownTree = voxel::readOctreeFile(request.file);
+  if (m_ownTree->size() == 0)
     throw std::runtime_error(request.file + ": the map is empty: not one voxel is known");
-  m_source = voxel::makeOctreeSource(*m_tree);
-  m_description = "OctoMap file (" + m_tree->getTreeType() + ")";
+  useTree(*m_ownTree);
+  m_description = "OctoMap file (" + m_ownTree->getTreeType() + ")";
   warnOfUnusedOptions(request, m_source->resolution());
 }
 
@@ -118,7 +126,7 @@ void InputMap::readObject(const InputRequest& request, Progress& progress)
         throw std::runtime_error(request.file + ": the octomap in its " + name +
                                  " is empty: not one voxel is known");
       m_object = object;
-      m_source = voxel::makeOctreeSource(*tree);
+      useTree(*tree);
       m_description = name + " (" + tree->getTreeType() + ")";
       warnOfUnusedOptions(request, m_source->resolution());
       return;
@@ -136,8 +144,8 @@ void InputMap::buildFromRawlog(const InputRequest& request, Progress& progress)
   options.staticSensor = request.staticSensor;
   const auto scans = maps::readRawlog(request.file, options, &log);
   progress.stage("inserting the scans of " + request.file);
-  m_tree = buildTree(scans, request, progress);
-  m_source = voxel::makeOctreeSource(*m_tree);
+  m_ownTree = buildTree(scans, request, progress);
+  useTree(*m_ownTree);
   m_description = describe("rawlog", scans);
 }
 
@@ -148,8 +156,8 @@ void InputMap::buildFromSimpleMap(const InputRequest& request, Progress& progres
   const ConsoleLog log;
   const auto scans = maps::readSimpleMap(request.file, &log);
   progress.stage("inserting the scans of " + request.file);
-  m_tree = buildTree(scans, request, progress);
-  m_source = voxel::makeOctreeSource(*m_tree);
+  m_ownTree = buildTree(scans, request, progress);
+  useTree(*m_ownTree);
   m_description = describe("simplemap", scans);
 }
 

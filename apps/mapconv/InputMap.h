@@ -13,7 +13,8 @@
 namespace octomap
 {
 class AbstractOcTree;
-}
+class AbstractOccupancyOcTree;
+}  // namespace octomap
 
 namespace mapconv
 {
@@ -38,6 +39,7 @@ class InputMap
   ~InputMap();
 
   const mrpt_mapconv::voxel::VoxelSource& source() const { return *m_source; }
+  const octomap::AbstractOccupancyOcTree& octree() const;
   /** What it was made of, e.g. "OctoMap file (OcTree)". */
   const std::string& description() const { return m_description; }
 
@@ -47,8 +49,11 @@ class InputMap
   void buildFromRawlog(const InputRequest& request, Progress& progress);
   void buildFromSimpleMap(const InputRequest& request, Progress& progress);
 
-  std::unique_ptr<octomap::AbstractOcTree> m_tree;  //!< unless it belongs to m_object
+  void useTree(const octomap::AbstractOcTree& tree);
+
+  std::unique_ptr<octomap::AbstractOcTree> m_ownTree;  //!< unless it belongs to m_object
   mrpt::serialization::CSerializable::Ptr m_object;
+  const octomap::AbstractOccupancyOcTree* m_tree = nullptr;
   std::unique_ptr<mrpt_mapconv::voxel::VoxelSource> m_source;
   std::string m_description;
 };

@@ -1,17 +1,15 @@
 #include <mrpt_mapconv/grid/AtomicFile.h>
-#include <mrpt_mapconv/grid/FileIo.h>
 #include <mrpt_mapconv/sim/SampleMaps.h>
+#include <mrpt_mapconv/voxel/OctreeFile.h>
 #include <octomap/OcTree.h>
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <sstream>
 
 #include "Command.h"
 #include "Console.h"
-#include "Json.h"
 #include "Progress.h"
 
 namespace mapconv
@@ -35,18 +33,6 @@ std::unique_ptr<octomap::OcTree> generate(const SampleMapOptions& options)
   return sim::outdoorMap(outdoor);
 }
 
-/** The bytes of a `.bt` file. By way of memory, since OctoMap does not tell when the disk is full;
- * with a header of our own, since OctoMap's writeBinary() prints a line that nobody asked for. */
-std::string fileBytes(const octomap::OcTree& tree)
-{
-  std::ostringstream bytes;
-  bytes << "# Octomap OcTree binary file\n# made by mapconv sample-map\n"
-        << "id " << tree.getTreeType() << "\nsize " << tree.size() << "\nres "
-        << jsonNumber(tree.getResolution()) << "\ndata\n";
-  tree.writeBinaryData(bytes);
-  return bytes.str();
-}
-
 int makeSampleMap(const SampleMapOptions& options)
 {
   if (std::filesystem::path(options.file).extension() != ".bt")
@@ -56,7 +42,7 @@ int makeSampleMap(const SampleMapOptions& options)
   std::optional<Progress> progress(std::in_place);
   progress->stage("generating the " + options.name + " map");
   const auto tree = generate(options);
-  grid::writeFile(file.stagingPath(), fileBytes(*tree));
+  voxel::writeOctreeFile(file.stagingPath(), *tree, "made by mapconv sample-map");
   file.commit();
   progress.reset();
   result.print(options.file + ": " + std::to_string(tree->getNumLeafNodes()) + " leaves\n");

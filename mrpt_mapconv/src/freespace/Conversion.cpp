@@ -127,11 +127,20 @@ voxel::ColumnSet changedWithin(const voxel::VoxelSource& source, const voxel::Co
   const auto known = knownFrame(source);
   return changed.clipped(known ? unite(frame, *known) : frame);
 }
+}  // namespace
 
-/** A frame that holds `needed` and, on each side where that made it grow, half its size more. */
-grid::GridFrame grown(const grid::GridFrame& frame, const grid::GridFrame& needed)
+void checkFrameSize(const grid::GridFrame& frame)
+{
+  if (frame.size() > kMaxCells)
+    throw std::runtime_error("the voxel map covers " + std::to_string(frame.width) + " x " +
+                             std::to_string(frame.height) + " cells, more than the " +
+                             std::to_string(kMaxCells) + " that a 2D map may have");
+}
+
+grid::GridFrame grownFrame(const grid::GridFrame& frame, const grid::GridFrame& needed)
 {
   grid::GridFrame out = unite(frame, needed);
+  checkFrameSize(out);
   if (frame.empty()) return out;
   const std::int32_t xSpare = out.width / 2, ySpare = out.height / 2;
   const std::int32_t left = out.x0 < frame.x0 ? xSpare : 0;
@@ -143,15 +152,6 @@ grid::GridFrame grown(const grid::GridFrame& frame, const grid::GridFrame& neede
   out.width += left + right;
   out.height += below + above;
   return out.size() > kMaxCells ? unite(frame, needed) : out;
-}
-}  // namespace
-
-void checkFrameSize(const grid::GridFrame& frame)
-{
-  if (frame.size() > kMaxCells)
-    throw std::runtime_error("the voxel map covers " + std::to_string(frame.width) + " x " +
-                             std::to_string(frame.height) + " cells, more than the " +
-                             std::to_string(kMaxCells) + " that a 2D map may have");
 }
 
 grid::GridFrame frameOf(const voxel::VoxelSource& source)
@@ -204,8 +204,7 @@ bool IncrementalLayers::update(const voxel::VoxelSource& source, const voxel::Co
   const grid::GridFrame old = m_layers.frame();
   const auto inside = changedWithin(source, changed, old);
   if (inside.empty()) return false;
-  const grid::GridFrame frame = grown(old, inside.bounds(source.resolution()));
-  checkFrameSize(frame);
+  const grid::GridFrame frame = grownFrame(old, inside.bounds(source.resolution()));
   if (frame != old) m_layers = m_layers.onFrame(frame);
   // One cell around a change is read as well: a neighbour's free range decides how occupied a wall
   // is.

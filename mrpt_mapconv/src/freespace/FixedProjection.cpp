@@ -53,22 +53,36 @@ std::array<bool, kBlockColumns> anyWithin(const voxel::ColumnBlock& block,
   for (std::size_t c = 0; c < found.size(); ++c) any[c] = found[c] != 0;
   return any;
 }
-}  // namespace
 
-grid::Layer<float> projectFixed(const voxel::VoxelSource& source, double zMin, double zMax,
-                                int threads)
+KeyInterval checkedKeys(double zMin, double zMax, double resolution)
 {
-  if (!(zMin < zMax))
-  {
-    std::ostringstream message;
-    message << "zMin = " << zMin << " is not valid: it must be below zMax = " << zMax;
-    throw std::invalid_argument(message.str());
-  }
-  const KeyInterval keys = keysWithin(zMin, zMax, source.resolution());
-  const grid::GridFrame frame = frameOf(source);
-  grid::Layer<float> layer(frame, grid::kUnknown);
+  if (zMin < zMax) return keysWithin(zMin, zMax, resolution);
+  std::ostringstream message;
+  message << "zMin = " << zMin << " is not valid: it must be below zMax = " << zMax;
+  throw std::invalid_argument(message.str());
+}
 
-  const auto columns = voxel::ColumnSet::of(frame);
+/** Writes the wanted columns of a block that has been read. */
+void writeBlock(const voxel::ColumnBlock& block, KeyInterval keys, grid::Layer<float>& layer)
+{
+  const auto free = anyWithin(block, block.freePlane(), keys);
+  const auto occupied = anyWithin(block, block.occupiedPlane(), keys);
+  const std::int32_t x0 = block.key().x * kBlockSide - layer.frame().x0;
+  const std::int32_t y0 = block.key().y * kBlockSide - layer.frame().y0;
+  for (std::int32_t y = 0; y < kBlockSide; ++y)
+    for (std::int32_t x = 0; x < kBlockSide; ++x)
+    {
+      const auto column = static_cast<std::size_t>(y * kBlockSide + x);
+      if (block.wanted()[static_cast<std::size_t>(y)] >> x & 1u)
+        layer.at(x0 + x, y0 + y) = occupied[column] ? 1.0f
+                                   : free[column]   ? grid::kFree
+                                                    : grid::kUnknown;
+    }
+}
+
+void projectColumns(const voxel::VoxelSource& source, const voxel::ColumnSet& columns,
+                    KeyInterval keys, grid::Layer<float>& layer, int threads)
+{
   const std::vector<voxel::ColumnSet::Blocks::value_type> blocks(columns.blocks().begin(),
                                                                  columns.blocks().end());
   inParallel(blocks.size(), threads,
@@ -77,24 +91,31 @@ grid::Layer<float> projectFixed(const voxel::VoxelSource& source, double zMin, d
                voxel::ColumnBlock block;
                for (std::size_t i = begin; i < end; ++i)
                {
-                 const auto& [key, mask] = blocks[i];
-                 block.start(key, mask);
+                 block.start(blocks[i].first, blocks[i].second);
                  source.read(block);
-                 const auto free = anyWithin(block, block.freePlane(), keys);
-                 const auto occupied = anyWithin(block, block.occupiedPlane(), keys);
-                 for (std::int32_t y = 0; y < kBlockSide; ++y)
-                   for (std::int32_t x = 0; x < kBlockSide; ++x)
-                   {
-                     const auto column = static_cast<std::size_t>(y * kBlockSide + x);
-                     if (!(mask[static_cast<std::size_t>(y)] >> x & 1u)) continue;
-                     if (!free[column] && !occupied[column]) continue;
-                     layer.at(key.x * kBlockSide + x - frame.x0,
-                              key.y * kBlockSide + y - frame.y0) =
-                         occupied[column] ? 1.0f : grid::kFree;
-                   }
+                 writeBlock(block, keys, layer);
                }
              });
+}
+}  // namespace
+
+grid::Layer<float> projectFixed(const voxel::VoxelSource& source, double zMin, double zMax,
+                                int threads)
+{
+  const KeyInterval keys = checkedKeys(zMin, zMax, source.resolution());
+  const grid::GridFrame frame = frameOf(source);
+  grid::Layer<float> layer(frame, grid::kUnknown);
+  projectColumns(source, voxel::ColumnSet::of(frame), keys, layer, threads);
   return layer;
+}
+
+void updateFixed(const voxel::VoxelSource& source, const voxel::ColumnSet& changed, double zMin,
+                 double zMax, grid::Layer<float>& layer, int threads)
+{
+  const KeyInterval keys = checkedKeys(zMin, zMax, source.resolution());
+  const grid::GridFrame frame = grownFrame(layer.frame(), changed.bounds(source.resolution()));
+  if (frame != layer.frame()) layer = layer.onFrame(frame, grid::kUnknown);
+  projectColumns(source, changed.clipped(frame), keys, layer, threads);
 }
 
 }  // namespace mrpt_mapconv::freespace

@@ -51,10 +51,23 @@ Dataset createDataset(const std::string& path, const GridFrame& frame, std::size
                                 GDT_Float32, options.List()));
 }
 
-bool writeHeader(GDALDataset& dataset, const GridFrame& frame)
+bool writeHeader(GDALDataset& dataset, const GridFrame& frame, const Metadata& metadata)
 {
   double transform[6] = {frame.xMin(), frame.resolution, 0, frame.yMax(), 0, -frame.resolution};
-  return dataset.SetGeoTransform(transform) == CE_None;
+  if (dataset.SetGeoTransform(transform) != CE_None) return false;
+  for (const auto& [name, value] : metadata)
+    if (dataset.SetMetadataItem(name.c_str(), value.c_str()) != CE_None) return false;
+  return true;
+}
+
+Dataset openDataset(const std::string& path, const GdalErrors& errors)
+{
+  GDALAllRegister();
+  Dataset dataset(static_cast<GDALDataset*>(
+      GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, nullptr,
+                 nullptr, nullptr)));
+  if (!dataset) errors.raise("read", path);
+  return dataset;
 }
 
 bool writeBand(GDALRasterBand& target, const NamedLayer& band)
@@ -121,7 +134,8 @@ void clearNoData(Layer<float>& layer, GDALRasterBand& band)
 }
 }  // namespace
 
-void writeGeoTiff(const std::string& path, const std::vector<NamedLayer>& bands)
+void writeGeoTiff(const std::string& path, const std::vector<NamedLayer>& bands,
+                  const Metadata& metadata)
 {
   checkBands(path, bands);
   const GridFrame& frame = bands.front().layer->frame();
@@ -129,7 +143,7 @@ void writeGeoTiff(const std::string& path, const std::vector<NamedLayer>& bands)
   writeFile(path, {});  // gives the system's own reason where GDAL only says that it failed
   const GdalErrors errors;
   Dataset dataset = createDataset(path, frame, bands.size());
-  if (!dataset || !writeHeader(*dataset, frame)) errors.raise("write", path);
+  if (!dataset || !writeHeader(*dataset, frame, metadata)) errors.raise("write", path);
   for (std::size_t i = 0; i < bands.size(); ++i)
     if (!writeBand(*dataset->GetRasterBand(static_cast<int>(i) + 1), bands[i]))
       errors.raise("write", path);
@@ -141,11 +155,7 @@ void writeGeoTiff(const std::string& path, const std::vector<NamedLayer>& bands)
 Layer<float> readGeoTiffBand(const std::string& path, const std::string& bandName)
 {
   const GdalErrors errors;
-  GDALAllRegister();
-  const Dataset dataset(static_cast<GDALDataset*>(
-      GDALOpenEx(path.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY | GDAL_OF_VERBOSE_ERROR, nullptr,
-                 nullptr, nullptr)));
-  if (!dataset) errors.raise("read", path);
+  const Dataset dataset = openDataset(path, errors);
   GDALRasterBand& band = findBand(*dataset, path, bandName);
   Layer<float> layer(readFrame(*dataset, path), kNoData);
   const GridFrame& frame = layer.frame();
@@ -155,6 +165,21 @@ Layer<float> readGeoTiffBand(const std::string& path, const std::string& bandNam
       errors.raise("read", path);
   clearNoData(layer, band);
   return layer;
+}
+
+Metadata readGeoTiffMetadata(const std::string& path)
+{
+  const GdalErrors errors;
+  const Dataset dataset = openDataset(path, errors);
+  Metadata metadata;
+  for (CSLConstList item = dataset->GetMetadata(); item && *item; ++item)
+  {
+    const std::string text = *item;  // NAME=VALUE
+    const std::size_t equals = text.find('=');
+    if (equals != std::string::npos)
+      metadata.emplace(text.substr(0, equals), text.substr(equals + 1));
+  }
+  return metadata;
 }
 
 }  // namespace mrpt_mapconv::grid

@@ -110,6 +110,38 @@ void drawNoData(Canvas& canvas, int x, int y, int width, int height)
   canvas.text(x + (width - textWidth) / 2, y + (height - textHeight) / 2, text, kInk, Font::Title);
 }
 
+/** Where a map's metres lie on a canvas. */
+struct MapPlace
+{
+  const GridFrame& frame;
+  double pixelsPerCell;
+  int x, y, height;  // of the map's pixels
+
+  int xOf(double metres) const
+  {
+    return x + static_cast<int>((metres - frame.xMin()) / frame.resolution * pixelsPerCell);
+  }
+  int yOf(double metres) const
+  {
+    return y + height - 1 -
+           static_cast<int>((metres - frame.yMin()) / frame.resolution * pixelsPerCell);
+  }
+};
+
+void drawPath(Canvas& canvas, const std::vector<mrpt::math::TPoint2D>& path, const MapPlace& place)
+{
+  if (path.empty()) return;
+  const Metrics& m = canvas.metrics();
+  const auto x = [&](std::size_t i) { return place.xOf(path[i].x); };
+  const auto y = [&](std::size_t i) { return place.yOf(path[i].y); };
+  for (std::size_t i = 1; i < path.size(); ++i)
+    canvas.line(x(i - 1), y(i - 1), x(i), y(i), m.of(3), kPathColor);
+  const std::size_t last = path.size() - 1;
+  canvas.disc(x(last), y(last), m.of(7), kPathColor);
+  canvas.disc(x(0), y(0), m.of(7), kPathColor);
+  canvas.disc(x(0), y(0), m.of(4), kPaper);
+}
+
 void checkLayers(const Layer<float>& layer, const Layer<float>* aerial)
 {
   if (layer.frame().empty()) throw std::invalid_argument("picture: the layer has no cells");
@@ -143,7 +175,8 @@ mrpt::img::CImage drawLayer(const Layer<float>& layer, const PictureStyle& style
       static_cast<int>(std::max(layer.frame().width, layer.frame().height) * pixelsPerCell);
   constexpr int kLargePicture = 1500;  // seen as a whole on a screen, it is shown at half its size
   const Metrics m(longSide > kLargePicture ? 2 : 1);
-  const Content content = contentOf(layer, style, aerial, zoom, m);
+  Content content = contentOf(layer, style, aerial, zoom, m);
+  if (!style.path.empty()) content.legend.push_back(swatch(m, kPathColor, style.pathLabel));
   const Axes axes(m, layer.frame(), pixelsPerCell);
   const std::string description = describe(layer.frame());
 
@@ -169,6 +202,7 @@ mrpt::img::CImage drawLayer(const Layer<float>& layer, const PictureStyle& style
   canvas.text(margin, descriptionY, description, kFaintInk);
   canvas.raster(mapX, mapY, content.raster);
   axes.draw(canvas, mapX, mapY, mapWidth, mapHeight);
+  drawPath(canvas, style.path, {layer.frame(), pixelsPerCell, mapX, mapY, mapHeight});
   if (content.noData) drawNoData(canvas, mapX, mapY, mapWidth, mapHeight);
   legend.draw(canvas, margin, legendY);
   return canvas.image();

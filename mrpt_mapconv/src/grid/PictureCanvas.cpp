@@ -1,6 +1,8 @@
 #include "PictureCanvas.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 
 namespace mrpt_mapconv::grid::picture
 {
@@ -84,6 +86,22 @@ void Canvas::raster(int x, int y, const Raster& raster)
       *out++ = pixel->R;
     }
   }
+}
+
+void Canvas::disc(int x, int y, int radius, const TColor& color)
+{
+  for (int dy = -radius; dy <= radius; ++dy)
+  {
+    const int half = static_cast<int>(std::sqrt(radius * radius - dy * dy));
+    fill(x - half, y + dy, 2 * half + 1, 1, color);
+  }
+}
+
+void Canvas::line(int x0, int y0, int x1, int y1, int width, const TColor& color)
+{
+  const int steps = std::max({std::abs(x1 - x0), std::abs(y1 - y0), 1});
+  for (int i = 0; i <= steps; ++i)
+    disc(x0 + (x1 - x0) * i / steps, y0 + (y1 - y0) * i / steps, width / 2, color);
 }
 
 }  // namespace mrpt_mapconv::grid::picture

@@ -48,6 +48,10 @@ class Canvas
   /** A frame of one unit around the width × height pixels from (x, y), outside of them. */
   void frame(int x, int y, int width, int height, const TColor& color);
   void raster(int x, int y, const Raster& raster);
+  /** A disc of `radius` pixels. */
+  void disc(int x, int y, int radius, const TColor& color);
+  /** A line of `width` pixels with round ends. */
+  void line(int x0, int y0, int x1, int y1, int width, const TColor& color);
 
  private:
   mrpt::img::CImage m_image;

@@ -122,7 +122,7 @@ void CFreeSpaceGridMap2D::saveMetricMapRepresentationToFile(const std::string& p
   Base::saveMetricMapRepresentationToFile(staged.substr(0, staged.size() - 4));
   if (const auto layers = exactLayers(); !layers.frame().empty())
   {
-    maps::writeLayersTiff(out.path(name + "_layers.tif"), layers);
+    maps::writeLayersTiff(out.path(name + "_layers.tif"), layers, m_conversion.params);
     for (const auto& [layerName, layer] : layers.named())
     {
       const std::string picture = mrpt::format("%s_%s.png", name.c_str(), layerName.c_str());

@@ -111,6 +111,12 @@ void StrictSection::read(const std::string& key, float& value) { readNumber(key,
 void StrictSection::read(const std::string& key, std::int32_t& value) { readNumber(key, value); }
 void StrictSection::read(const std::string& key, std::uint32_t& value) { readNumber(key, value); }
 
+void StrictSection::read(const std::string& key, std::string& value)
+{
+  m_known.insert(key);
+  if (has(key)) value = text(key);
+}
+
 void StrictSection::read(const std::string& key, bool& value)
 {
   m_known.insert(key);

@@ -1,3 +1,4 @@
+#include <mrpt_mapconv/grid/FileIo.h>
 #include <mrpt_mapconv/voxel/OctreeFile.h>
 #include <octomap/ColorOcTree.h>
 #include <octomap/OcTree.h>
@@ -9,6 +10,8 @@
 #include <filesystem>
 #include <fstream>
 #include <istream>
+#include <limits>
+#include <sstream>
 #include <stdexcept>
 #include <streambuf>
 #include <string_view>
@@ -156,6 +159,18 @@ std::unique_ptr<octomap::AbstractOcTree> readOctree(const std::string& bytes,
   {
     throw std::runtime_error(name + ": " + e.what());
   }
+}
+
+void writeOctreeFile(const std::string& path, const AbstractOccupancyOcTree& tree,
+                     const std::string& remark)
+{
+  std::ostringstream bytes;
+  bytes.precision(std::numeric_limits<double>::max_digits10);
+  bytes << "# Octomap OcTree binary file\n";
+  if (!remark.empty()) bytes << "# " << remark << "\n";
+  bytes << "id OcTree\nsize " << tree.size() << "\nres " << tree.getResolution() << "\ndata\n";
+  tree.writeBinaryData(bytes);
+  grid::writeFile(path, bytes.str());
 }
 
 }  // namespace mrpt_mapconv::voxel

@@ -14,6 +14,11 @@ grid::GridFrame frameOf(const voxel::VoxelSource& source);
 /** \exception std::runtime_error for a frame of more than 4·10^8 cells (8 GB of layers) */
 void checkFrameSize(const grid::GridFrame& frame);
 
+/** A frame that holds both; on each side where `needed` made `frame` grow it gets half its size
+ * more, unless that is too large, so that growing step by step stays rare.
+ * \exception std::runtime_error as checkFrameSize() */
+grid::GridFrame grownFrame(const grid::GridFrame& frame, const grid::GridFrame& needed);
+
 /** Converts a whole voxel map by free-space projection (Fredriksson et al. 2024, eqs. 1–8).
  *
  * \param source the voxel map

@@ -2,6 +2,7 @@
 
 #include <mrpt_mapconv/grid/Layer.h>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,9 @@ struct NamedLayer
   const Layer<float>* layer = nullptr;
 };
 
+/** What a file says about its layers: names and values, as GDAL's metadata items. */
+using Metadata = std::map<std::string, std::string>;
+
 /** Writes layers as the bands of one Float32 GeoTIFF, in their order, described by their names.
  *
  * North is up (the first raster row is the highest y), the geotransform is exactly
@@ -22,9 +26,11 @@ struct NamedLayer
  * into OutputDir::path().
  *
  * \param bands at least one; all on the same frame, which must not be empty
+ * \param metadata kept in the file, for readGeoTiffMetadata() and `gdalinfo`
  * \exception std::invalid_argument if they are not
  * \exception std::runtime_error naming the file and GDAL's reason, also if the disk is full */
-void writeGeoTiff(const std::string& path, const std::vector<NamedLayer>& bands);
+void writeGeoTiff(const std::string& path, const std::vector<NamedLayer>& bands,
+                  const Metadata& metadata = {});
 
 /** Reads one band of a GeoTIFF of square, north-up cells that lie on integer keys, as
  * writeGeoTiff() writes it. Cells without data become NaN.
@@ -33,5 +39,9 @@ void writeGeoTiff(const std::string& path, const std::vector<NamedLayer>& bands)
  * \exception std::runtime_error naming the file and the reason: it cannot be read, has no such band
  * (those it has are named) or its geotransform does not give integer keys */
 Layer<float> readGeoTiffBand(const std::string& path, const std::string& bandName);
+
+/** Reads what writeGeoTiff() was given as metadata, among GDAL's own items.
+ * \exception std::runtime_error naming the file and the reason if it cannot be read */
+Metadata readGeoTiffMetadata(const std::string& path);
 
 }  // namespace mrpt_mapconv::grid

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <mrpt/img/CImage.h>
+#include <mrpt/math/TPoint2D.h>
 #include <mrpt_mapconv/grid/Layer.h>
 
 #include <string>
+#include <vector>
 
 namespace mrpt_mapconv::grid
 {
@@ -20,6 +22,9 @@ struct PictureStyle
   std::string title;
   std::string unit;  //!< of the values, printed at the colour bar; not used for occupancy
   PictureKind kind = PictureKind::Height;
+  /** Drawn over the map [m], from a ring to a disc; empty: none. */
+  std::vector<mrpt::math::TPoint2D> path = {};
+  std::string pathLabel = {};  //!< what the path is, for the legend
 };
 
 /** Draws a layer for a person to look at: title, size, map with axes in metres, legend, scale bar.

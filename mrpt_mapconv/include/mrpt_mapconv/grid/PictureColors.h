@@ -18,6 +18,7 @@ inline const TColor kFreeColor{255, 255, 255};
 inline const TColor kOccupiedColor{32, 38, 46};
 inline const TColor kUnknownColor{199, 203, 209};
 inline const TColor kSteepColor{232, 131, 46};
+inline const TColor kPathColor{0, 114, 178};
 
 /** Colour of t in [0, 1]: dark blue over green to yellow, of evenly rising lightness, so that it
  * also reads without colour vision and in print (MRPT's jet does not). */

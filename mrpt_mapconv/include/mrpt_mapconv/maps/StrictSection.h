@@ -32,6 +32,7 @@ class StrictSection
   /** Numbers between spaces, commas or brackets. */
   void read(const std::string& key, std::vector<double>& values);
   void read(const std::string& key, bool& value);  //!< true/false, yes/no, 1/0
+  void read(const std::string& key, std::string& value);  //!< without the blanks around it
   /** One of `choices`; gives its index. */
   void readChoice(const std::string& key, const std::vector<std::string>& choices, int& index);
 

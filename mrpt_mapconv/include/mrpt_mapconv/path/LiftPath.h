@@ -7,6 +7,8 @@
 #include <mrpt_mapconv/freespace/Robot.h>
 #include <mrpt_mapconv/voxel/VoxelSource.h>
 
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -54,7 +56,8 @@ struct LiftedPoint
   mrpt::math::TPoint3D position;  //!< [m]; z is NaN if the point cannot be reached
   HeightRule rule = HeightRule::None;
   Infeasibility problem = Infeasibility::None;
-  bool isInput = false;  //!< false for points that densifying added
+  mrpt::math::TPoint2D obstacle;  //!< centre of the nearest cell in the way: Wall, Unknown [m]
+  bool isInput = false;           //!< false for points that densifying added
 };
 
 /** A 2D path with heights. */
@@ -73,12 +76,12 @@ struct LiftedPath
 /** Gives a 2D path heights (Fredriksson et al. 2024, eq. 9).
  *
  * 1. The path is densified: its points are kept (repeated ones too), and between them points are
- *    added until no spacing exceeds a cell.
+ *    added until no spacing exceeds a cell (by more than 1e-9 of it).
  * 2. p_f = the highest floor below the path's points within `lookahead` of arc length before and
  *    behind, ends included (to 1e-9 of a cell); cells without a floor and points off the map are
  *    skipped. z = p_f + heightOffset.
  * 3. Aerial robots only: with d the horizontal distance from the point to the nearest point of a
- *    cell's square, every cell with d ≤ R_r must satisfy
+ *    cell's square, every cell with d ≤ R_r (to 1e-9 of a cell) must satisfy
  *    floor + sqrt(R_r² − d²) ≤ z ≤ ceiling − sqrt(R_r² − d²);
  *    with a voxel map, one single kept run [begin, end] of the cell must hold
  *    [z − sqrt(R_r² − d²), z + sqrt(R_r² − d²)]. If z violates one, the nearest z that satisfies
@@ -86,14 +89,18 @@ struct LiftedPath
  *    A cell without a kept run makes the point infeasible; with unknownIsPassable only one that is
  *    occupied (aerial layer > 0) does.
  *
- * Points that cannot be reached say why; no other point depends on that.
+ * Heights are taken as the layers hold them, in float, also a run's ends. A height that violates a
+ * condition by 1e-9 m or less satisfies it, and differences of up to 1e-9 m count as equally near.
+ * Points that cannot be reached say why (of several reasons the first in Infeasibility's order); no
+ * other point depends on that.
  *
  * \param path [m]; may be empty or hold a single point
  * \param layers as convert() made them with `conversion`
  * \param voxels the voxel map that the layers were made of, or null: then slabs between two free
  * ranges of a column (a roof over a wall, a lintel) are not seen
  * \exception std::invalid_argument for bad parameters, a point that is not finite (with its
- * index), empty layers, or a voxel map that the layers were not made of */
+ * index), a path that would get more than 10 million points, layers that are empty or not on one
+ * frame, or a voxel map that the layers were not made of */
 LiftedPath liftPath(const std::vector<mrpt::math::TPoint2D>& path, const freespace::Layers& layers,
                     const freespace::ConversionParams& conversion, const LiftParams& params,
                     const voxel::VoxelSource* voxels = nullptr);

@@ -1,10 +1,12 @@
 #pragma once
 
+#include <mrpt/math/TPoint3D.h>
 #include <mrpt_mapconv/maps/StrictSection.h>
 
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +32,25 @@ struct Mesh
   std::vector<std::array<std::uint32_t, 3>> triangles;  //!< indices of vertices
 };
 
+/** A surface that rays meet exactly, where triangles would only come near. */
+class CurvedSurface
+{
+ public:
+  struct Meeting
+  {
+    double range = 0;                //!< [m]
+    mrpt::math::TVector3D outwards;  //!< normal of the surface, of any length
+  };
+  virtual ~CurvedSurface() = default;
+  /** Lower and upper corner of a box around it [m]. */
+  virtual std::array<mrpt::math::TPoint3D, 2> bounds() const = 0;
+  /** Where a ray, from outside or inside, first meets it between minRange and maxRange [m].
+   * \param direction of length 1 */
+  virtual std::optional<Meeting> meet(const mrpt::math::TPoint3D& origin,
+                                      const mrpt::math::TVector3D& direction, double minRange,
+                                      double maxRange) const = 0;
+};
+
 /** A body that a world is made of. Its surface is seen by rays, its inside is known for the truth;
  * both describe the same geometry.
  *
@@ -42,8 +63,10 @@ class Primitive
   virtual ~Primitive() = default;
   /** The smallest rectangle that holds it. */
   virtual Footprint footprint() const = 0;
-  /** Adds the triangles of its surface. */
+  /** Adds the triangles of its surface; those of a curved one only come near it. */
   virtual void appendMesh(Mesh& mesh) const = 0;
+  /** What rays meet instead of the mesh; nullptr: they meet the mesh. */
+  virtual const CurvedSurface* curved() const { return nullptr; }
   /** Adds the parts of the vertical line through (x, y) [m] that are inside. */
   virtual void appendSolids(double x, double y, std::vector<Solid>& solids) const = 0;
   /** Share of the rays that go through its surface unseen, 0 … 1 (glass). */

@@ -23,7 +23,9 @@ namespace mrpt_mapconv::sim
 class World
 {
  public:
-  /** An empty world. \param bounds the box that the truth is asked in */
+  /** An empty world. \param min, max corners of the box that the truth is asked in [m]; min must be
+   * below max on each axis
+   * \exception std::invalid_argument if it is not */
   World(const mrpt::math::TPoint3D& min, const mrpt::math::TPoint3D& max);
 
   /** Reads section [world] and every section [KIND.NAME]; `otherSections` names those that belong
@@ -47,17 +49,24 @@ class World
   void solidsAt(double x, double y, std::vector<Solid>& solids) const;
   /** True if a point [m] lies inside a body. */
   bool isSolid(const mrpt::math::TPoint3D& point) const;
-  /** True if a sphere [m] cuts a body, found by vertical lines through it at a spacing of at most
-   * `spacing` [m] (bodies thinner than that can be missed). */
+  /** True if a sphere [m] cuts a body by more than 1e-9 m, found by vertical lines on a lattice in
+   * it and on its rim, at a spacing of at most `spacing` [m] (bodies thinner than that can be
+   * missed). */
   bool sphereHits(const mrpt::math::TPoint3D& centre, double radius, double spacing = 0.01) const;
 
  private:
+  std::size_t cellAt(double x, double y) const;
+  std::size_t columnOf(double x) const;
+  std::size_t rowOf(double y) const;
+  bool lineHits(double x, double y, double bottom, double top, std::vector<Solid>& scratch) const;
+
   mrpt::math::TPoint3D m_min, m_max;
   std::vector<std::unique_ptr<Primitive>> m_primitives;
   std::vector<std::string> m_names;
-  // Which primitives may stand at a place: a coarse grid over the bounds.
+  // Which primitives may stand at a place: a coarse grid over the bounds, whose outermost cells
+  // also stand for all that lies beyond them.
   double m_cellSize = 1;
-  int m_cellsX = 0, m_cellsY = 0;
+  std::size_t m_cellsX = 0, m_cellsY = 0;
   std::vector<std::vector<std::uint32_t>> m_cells;
 };
 

@@ -7,7 +7,8 @@
 namespace octomap
 {
 class AbstractOcTree;
-}
+class AbstractOccupancyOcTree;
+}  // namespace octomap
 
 namespace mrpt_mapconv::voxel
 {
@@ -22,5 +23,13 @@ std::unique_ptr<octomap::AbstractOcTree> readOctreeFile(const std::string& path)
 /** The same from memory; `name` stands for the file in messages. */
 std::unique_ptr<octomap::AbstractOcTree> readOctree(const std::string& bytes,
                                                     const std::string& name);
+
+/** Writes a `.bt` file, which keeps of every leaf whether it is occupied or free, and the
+ * resolution with all its digits. Unlike OctoMap's own writing it tells when the disk is full, and
+ * prints nothing.
+ * \param remark a line of text for the file's header, or none
+ * \exception std::runtime_error naming the file and the reason if it cannot be written */
+void writeOctreeFile(const std::string& path, const octomap::AbstractOccupancyOcTree& tree,
+                     const std::string& remark = {});
 
 }  // namespace mrpt_mapconv::voxel

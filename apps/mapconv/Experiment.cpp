@@ -1,0 +1,90 @@
+#include <mrpt/config/CConfigFileMemory.h>
+#include <mrpt_mapconv/grid/OutputDir.h>
+#include <mrpt_mapconv/maps/IniText.h>
+#include <mrpt_mapconv/maps/StrictSection.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+#include <optional>
+
+#include "Command.h"
+#include "Console.h"
+#include "Interruptible.h"
+#include "experiment/Experiments.h"
+
+namespace mapconv
+{
+using namespace mrpt_mapconv;
+
+namespace
+{
+struct ExperimentOptions
+{
+  std::string iniFile, outputDir;
+  bool quick = false;
+};
+
+/** The experiments that an ini file can ask for by `kind` in its section [experiment]. */
+void runByKind(const ExperimentJob& job, Report& report)
+{
+  maps::StrictSection section(job.ini, "experiment");
+  int kind = -1;
+  section.readChoice("kind", {"freespace"}, kind);
+  if (kind < 0) throw std::runtime_error("section 'experiment': kind = freespace is missing");
+  runFreespaceExperiment(job, report);
+}
+
+std::string runExperiment(const ExperimentOptions& options, grid::OutputDir& out,
+                          Progress& progress)
+{
+  const mrpt::config::CConfigFileMemory ini(maps::readIniText(options.iniFile));
+  Report report(out, "Experiment " + options.iniFile);
+  report.addText("Made by `mapconv experiment " + options.iniFile +
+                 (options.quick ? " --quick" : "") + "`.");
+  try
+  {
+    runByKind({ini, options.iniFile, options.quick, progress}, report);
+  }
+  catch (const std::runtime_error& error)
+  {
+    const std::string what = error.what();
+    if (what.rfind("section '", 0) == 0) throw std::runtime_error(options.iniFile + ": " + what);
+    throw;
+  }
+  report.write();
+  return report.text();
+}
+
+int experiment(const ExperimentOptions& options)
+{
+  Interruptible interruptible;
+  ResultOutput result;
+  grid::OutputDir out(options.outputDir);
+  const auto watch = interruptible.watch(out);
+  std::optional<Progress> progress(std::in_place);
+  const std::string text = runExperiment(options, out, *progress);
+  interruptible.commit();
+  progress.reset();
+  result.print(text);
+  return 0;
+}
+}  // namespace
+
+std::pair<CLI::App*, Command> addExperiment(CLI::App& app)
+{
+  CLI::App* sub = app.add_subcommand(
+      "experiment", "Runs an experiment on simulated worlds and writes its tables and plots");
+  auto options = std::make_shared<ExperimentOptions>();
+  sub->add_option("FILE", options->iniFile, "what to do, see config/experiments")
+      ->required()
+      ->type_name("FILE.ini");
+  sub->add_option("-o,--output", options->outputDir,
+                  "folder for report.md, tables (.csv), plots and pictures (.png)")
+      ->required()
+      ->type_name("DIR");
+  sub->add_flag("--quick", options->quick, "a few scans and paths only, to see that it works");
+  sub->footer("Example:\n  mapconv experiment config/experiments/freespace.ini -o report");
+  return {sub, [options] { return experiment(*options); }};
+}
+
+}  // namespace mapconv

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <mrpt_mapconv/freespace/Layers.h>
+#include <mrpt_mapconv/sim/Scenario.h>
+#include <octomap/OcTree.h>
+
+#include <memory>
+#include <vector>
+
+#include "FreespaceSettings.h"
+#include "Progress.h"
+
+namespace mapconv
+{
+/** What it cost to bring 2D maps up to date after a moment's scans. */
+struct UpdateCost
+{
+  std::size_t changedColumns = 0;
+  double full = 0;         //!< floor, ceiling, slope and both occupancies [ms]
+  double slice = 0;        //!< fixed projection of the slice [ms]
+  double wholeHeight = 0;  //!< fixed projection of the whole height [ms]
+};
+
+/** A run through a world in which the voxel map grows scan by scan. */
+struct Exploration
+{
+  std::unique_ptr<octomap::OcTree> tree;
+  std::vector<UpdateCost> updates;
+  mrpt_mapconv::grid::Layer<float> inView;  //!< 3D returns per cell, without noise
+  double startHeight = 0;                   //!< of the sensor when it began [m]
+  std::size_t scans = 0, points = 0;
+};
+
+/** Simulates the scenario and times the updates, all of them on one thread; the methods take turns
+ * in being first. Scans are inserted at the estimated poses. */
+Exploration explore(const mrpt_mapconv::sim::Scenario& scenario, const FreespaceWorld& world,
+                    const FreespaceSettings& settings, Progress& progress);
+
+}  // namespace mapconv

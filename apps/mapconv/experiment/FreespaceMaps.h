@@ -1,0 +1,34 @@
+#pragma once
+
+#include <mrpt_mapconv/freespace/Layers.h>
+#include <mrpt_mapconv/sim/MapScore.h>
+
+#include <vector>
+
+#include "Exploration.h"
+
+namespace mapconv
+{
+/** Milliseconds of each repetition of a conversion of the whole map, on one thread. */
+struct FullCosts
+{
+  std::vector<double> full, slice, wholeHeight;
+};
+
+/** The 2D maps of a finished voxel map, and the truth. */
+struct FreespaceMaps
+{
+  mrpt_mapconv::freespace::Layers layers;  //!< with the paper's parameters
+  mrpt_mapconv::freespace::Layers strict;  //!< for a robot that climbs no steps
+  mrpt_mapconv::grid::Layer<float> slice, wholeHeight;
+  mrpt_mapconv::freespace::Layers truth;
+  mrpt_mapconv::sim::CellMask seen;  //!< cells with a 3D return
+  FullCosts costs;
+};
+
+/** Converts the map in every way, timing it; the methods take turns. */
+FreespaceMaps makeMaps(const Exploration& run, const mrpt_mapconv::sim::Scenario& scenario,
+                       const FreespaceWorld& world, const FreespaceSettings& settings,
+                       Progress& progress);
+
+}  // namespace mapconv

@@ -1,0 +1,11 @@
+#pragma once
+
+#include <string>
+
+namespace mapconv
+{
+/** Runs a gnuplot script, which sets its own terminal and output.
+ * \exception std::runtime_error with gnuplot's own words, or that it is not installed */
+void runGnuplot(const std::string& script);
+
+}  // namespace mapconv

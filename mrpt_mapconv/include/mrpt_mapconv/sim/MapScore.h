@@ -1,0 +1,69 @@
+#pragma once
+
+#include <mrpt_mapconv/grid/Layer.h>
+#include <mrpt_mapconv/sim/World.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace mrpt_mapconv::sim
+{
+/** Which cells are judged: those that are not 0. */
+using CellMask = grid::Layer<std::uint8_t>;
+
+/** How well a map tells where something is. */
+struct Agreement
+{
+  std::size_t right = 0;   //!< the map says so, and it is true
+  std::size_t wrong = 0;   //!< the map says so, and it is not true
+  std::size_t missed = 0;  //!< it is true, and the map does not say so
+
+  double precision() const;  //!< right of what the map says, [0, 1]; NaN if it says nothing
+  double recall() const;     //!< right of what is true, [0, 1]; NaN if there is none
+};
+
+struct OccupancyScore
+{
+  Agreement free, occupied;
+};
+
+/** Compares an occupancy map with the truth, cell by cell, where `judged` says so and the truth is
+ * not unknown. A cell outside the map is unknown there.
+ *
+ * \param map,truth,judged of the same resolution; each may have a frame of its own
+ * \exception std::invalid_argument for different resolutions */
+OccupancyScore scoreOccupancy(const grid::Layer<float>& map, const grid::Layer<float>& truth,
+                              const CellMask& judged);
+
+/** Share of the judged cells with a true label that the map has right within one cell: some cell of
+ * the 3 × 3 around has that label. [0, 1]; NaN if there is no such cell. */
+double shareRightWithinOneCell(const grid::Layer<float>& map, const grid::Layer<float>& truth,
+                               const CellMask& judged);
+
+/** Map minus truth in the judged cells that are finite in both layers, row by row. */
+std::vector<double> errorsOf(const grid::Layer<float>& map, const grid::Layer<float>& truth,
+                             const CellMask& judged);
+
+/** A root mean square error and the number of cells that it is of. */
+struct Rmse
+{
+  double value = 0;  //!< in the layers' unit; NaN for no cells
+  std::size_t cells = 0;
+};
+
+/** Of errorsOf(). */
+Rmse rmse(const grid::Layer<float>& map, const grid::Layer<float>& truth, const CellMask& judged);
+
+/** The cells at whose centre a body stands whose name (without its kind) begins like one of
+ * `names`. */
+CellMask cellsOf(const World& world, const std::vector<std::string>& names,
+                 const grid::GridFrame& frame);
+
+/** The cells that both masks have, on the frame of `a`. */
+CellMask both(const CellMask& a, const CellMask& b);
+
+/** The cells of a layer with a value of at least `least`. */
+CellMask cellsFrom(const grid::Layer<float>& layer, float least);
+
+}  // namespace mrpt_mapconv::sim

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <mrpt/math/TPoint3D.h>
+#include <mrpt/obs/CObservation.h>
+#include <mrpt/poses/CPose3D.h>
+#include <mrpt_mapconv/maps/StrictSection.h>
+#include <mrpt_mapconv/sim/RayCaster.h>
+
+#include <cstdint>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace mrpt_mapconv::sim
+{
+/** What every sensor has. */
+struct SensorParams
+{
+  std::string name;           //!< the label of its observations
+  mrpt::poses::CPose3D pose;  //!< sensor -> robot
+  double rate = 0;            //!< scans per second [Hz]
+  double minRange = 0.1;      //!< surfaces nearer than that are not seen [m]
+  double maxRange = 0;        //!< nor those beyond [m]
+  double rangeNoise = 0;      //!< standard deviation along the ray [m]
+  double dropout = 0;         //!< share of returns that are missing, 0 … 1
+};
+
+/** What a sensor sees at one instant. */
+struct Scan
+{
+  mrpt::obs::CObservation::Ptr observation;  //!< labelled and posed; it has no time yet
+  bool is3D = false;
+  /** Where its returns come from, without noise, in the map's frame [m]; one for each point of the
+   * observation, in its order. */
+  std::vector<mrpt::math::TPoint3Df> truePoints;
+};
+
+/** A range sensor: a fixed bundle of rays, all cast at one instant.
+ *
+ * A ray goes on through a surface of transparency t with probability t, through at most 8 of them.
+ */
+class Sensor
+{
+ public:
+  virtual ~Sensor() = default;
+  const SensorParams& params() const { return m_params; }
+  /** Number of rays of a scan. */
+  std::size_t rays() const { return m_directions.size(); }
+  virtual bool is3D() const { return true; }
+
+  /** \param robotPose robot -> map
+   * \param key for what is random in it: the same key gives the same scan */
+  Scan scan(const RayCaster& caster, const mrpt::poses::CPose3D& robotPose,
+            std::uint64_t key) const;
+
+ protected:
+  /** \param directions of the rays in the sensor's frame, of length 1 */
+  Sensor(SensorParams params, std::vector<mrpt::math::TPoint3Df> directions);
+  /** \param ranges of all rays [m]; 0: no return */
+  virtual mrpt::obs::CObservation::Ptr observation(const std::vector<float>& ranges) const = 0;
+  const std::vector<mrpt::math::TPoint3Df>& directions() const { return m_directions; }
+
+ private:
+  std::vector<Hit> visibleHits(const RayCaster& caster, const std::vector<Ray>& rays,
+                               std::uint64_t key) const;
+
+  SensorParams m_params;
+  std::vector<mrpt::math::TPoint3Df> m_directions;
+};
+
+/** Reads a section [sensor.NAME]. All kinds have
+ * \code
+ * kind = lidar              // lidar | depthCamera | scanner2D
+ * pose = 0 0 0.9  0 0 0     // x y z yaw pitch roll on the robot [m, degrees]; default: all 0
+ * rate = 5                  // [Hz]
+ * minRange = 0.1            // [m]
+ * maxRange = 15             // [m]
+ * rangeNoise = 0.01         // standard deviation [m]; default 0
+ * dropout = 0.01            // share of missing returns; default 0
+ * \endcode
+ * - lidar gives a CObservationPointCloud: `azimuthSteps` per turn, and `elevations` [degrees], or
+ *   `beams` evenly from `elevationMin` to `elevationMax` [degrees];
+ * - depthCamera gives a CObservation3DRangeScan with a range image of depths: `width` and `height`
+ *   [pixels], `fieldOfView` across the width [degrees];
+ * - scanner2D gives a CObservation2DRangeScan: `rays` over `fieldOfView` [degrees], counter-
+ *   clockwise.
+ *
+ * \exception std::runtime_error in one line naming section, key and value, and what would be right;
+ * also for a key that this kind does not have */
+std::unique_ptr<Sensor> readSensor(maps::StrictSection& section);
+
+}  // namespace mrpt_mapconv::sim

@@ -1,0 +1,81 @@
+#include <mrpt_mapconv/path/LiftPath.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+#include <stdexcept>
+
+namespace mrpt_mapconv::path
+{
+namespace
+{
+void require(bool ok, const char* name, double value, const std::string& right)
+{
+  if (ok) return;
+  std::ostringstream message;
+  message << name << " = " << value << " is not valid: it must be " << right;
+  throw std::invalid_argument(message.str());
+}
+
+std::string place(double x, double y)
+{
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(2) << '(' << x << ", " << y << ')';
+  return text.str();
+}
+
+std::string reason(const LiftedPoint& point)
+{
+  switch (point.problem)
+  {
+    case Infeasibility::None:
+      break;
+    case Infeasibility::OffMap:
+      return "it lies outside the map";
+    case Infeasibility::NoFloor:
+      return "no floor there";
+    case Infeasibility::Wall:
+      return "the safety sphere reaches the occupied cell at " +
+             place(point.obstacle.x, point.obstacle.y);
+    case Infeasibility::Unknown:
+      return "the safety sphere reaches the unknown cell at " +
+             place(point.obstacle.x, point.obstacle.y);
+    case Infeasibility::NoHeight:
+      return "the safety sphere fits in at no height";
+  }
+  return {};
+}
+}  // namespace
+
+void LiftParams::check(double minClearance) const
+{
+  require(std::isfinite(lookahead) && lookahead >= 0, "lookahead", lookahead,
+          "a finite distance ≥ 0 m");
+  require(std::isfinite(heightOffset) && heightOffset >= 0, "heightOffset", heightOffset,
+          "a finite height ≥ 0 m");
+  if (robot == freespace::Robot::Ground) return;
+  std::ostringstream right;
+  right << "above 0 m and at most minClearance/2 = " << minClearance / 2 << " m";
+  require(safetyRadius > 0 && safetyRadius <= minClearance / 2, "safetyRadius", safetyRadius,
+          right.str());
+}
+
+std::optional<std::size_t> LiftedPath::firstProblem() const
+{
+  const auto found =
+      std::find_if(points.begin(), points.end(),
+                   [](const LiftedPoint& point) { return point.problem != Infeasibility::None; });
+  if (found == points.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - points.begin());
+}
+
+std::string LiftedPath::describeProblem(std::size_t index) const
+{
+  const LiftedPoint& point = points.at(index);
+  if (point.problem == Infeasibility::None) return {};
+  return "point " + std::to_string(index) + " at " + place(point.position.x, point.position.y) +
+         ": " + reason(point);
+}
+
+}  // namespace mrpt_mapconv::path

@@ -1,0 +1,162 @@
+#include <mrpt_mapconv/grid/OccupancyCell.h>
+#include <mrpt_mapconv/sim/MapScore.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace mrpt_mapconv::sim
+{
+namespace
+{
+using grid::GridFrame;
+using grid::Layer;
+
+double share(std::size_t part, std::size_t all)
+{
+  return all > 0 ? static_cast<double>(part) / static_cast<double>(all)
+                 : std::numeric_limits<double>::quiet_NaN();
+}
+
+void checkResolution(const GridFrame& a, const GridFrame& b)
+{
+  if (std::abs(a.resolution - b.resolution) > 1e-6 * a.resolution)
+    throw std::invalid_argument("the map's cells are " + std::to_string(a.resolution) +
+                                " m, those of the truth " + std::to_string(b.resolution) + " m");
+}
+
+/** A layer on another frame, whose resolution differs at most by rounding. */
+template <class T>
+Layer<T> on(GridFrame frame, const Layer<T>& layer, T fill)
+{
+  checkResolution(layer.frame(), frame);
+  return layer.onFrame(frame, fill);
+}
+
+void count(Agreement& agreement, bool said, bool isTrue)
+{
+  if (said && isTrue)
+    ++agreement.right;
+  else if (said)
+    ++agreement.wrong;
+  else if (isTrue)
+    ++agreement.missed;
+}
+
+bool isKnown(float cell) { return grid::isFree(cell) || grid::isOccupied(cell); }
+
+/** Whether a cell within one cell of (x, y) has the label that is asked for. */
+bool hasNear(const Layer<float>& map, std::int32_t x, std::int32_t y, bool free)
+{
+  const GridFrame& frame = map.frame();
+  for (std::int32_t ny = std::max(y - 1, 0); ny <= std::min(y + 1, frame.height - 1); ++ny)
+    for (std::int32_t nx = std::max(x - 1, 0); nx <= std::min(x + 1, frame.width - 1); ++nx)
+    {
+      const float cell = map.at(nx, ny);
+      if (free ? grid::isFree(cell) : grid::isOccupied(cell)) return true;
+    }
+  return false;
+}
+}  // namespace
+
+double Agreement::precision() const { return share(right, right + wrong); }
+double Agreement::recall() const { return share(right, right + missed); }
+
+OccupancyScore scoreOccupancy(const Layer<float>& map, const Layer<float>& truth,
+                              const CellMask& judged)
+{
+  const auto said = on(truth.frame(), map, grid::kUnknown);
+  const auto mask = on(truth.frame(), judged, std::uint8_t{0});
+  OccupancyScore score;
+  for (std::size_t i = 0; i < truth.cells().size(); ++i)
+  {
+    const float isTrue = truth.cells()[i], cell = said.cells()[i];
+    if (!mask.cells()[i] || !isKnown(isTrue)) continue;
+    count(score.free, grid::isFree(cell), grid::isFree(isTrue));
+    count(score.occupied, grid::isOccupied(cell), grid::isOccupied(isTrue));
+  }
+  return score;
+}
+
+double shareRightWithinOneCell(const Layer<float>& map, const Layer<float>& truth,
+                               const CellMask& judged)
+{
+  const auto said = on(truth.frame(), map, grid::kUnknown);
+  const auto mask = on(truth.frame(), judged, std::uint8_t{0});
+  std::size_t right = 0, all = 0;
+  for (std::int32_t y = 0; y < truth.frame().height; ++y)
+    for (std::int32_t x = 0; x < truth.frame().width; ++x)
+    {
+      const float isTrue = truth.at(x, y);
+      if (!mask.at(x, y) || !isKnown(isTrue)) continue;
+      ++all;
+      right += hasNear(said, x, y, grid::isFree(isTrue));
+    }
+  return share(right, all);
+}
+
+std::vector<double> errorsOf(const Layer<float>& map, const Layer<float>& truth,
+                             const CellMask& judged)
+{
+  const auto said = on(truth.frame(), map, std::numeric_limits<float>::quiet_NaN());
+  const auto mask = on(truth.frame(), judged, std::uint8_t{0});
+  std::vector<double> errors;
+  for (std::size_t i = 0; i < truth.cells().size(); ++i)
+  {
+    const double error =
+        static_cast<double>(said.cells()[i]) - static_cast<double>(truth.cells()[i]);
+    if (mask.cells()[i] && std::isfinite(error)) errors.push_back(error);
+  }
+  return errors;
+}
+
+Rmse rmse(const Layer<float>& map, const Layer<float>& truth, const CellMask& judged)
+{
+  double sum = 0;
+  const auto errors = errorsOf(map, truth, judged);
+  for (const double error : errors) sum += error * error;
+  return {std::sqrt(sum / static_cast<double>(errors.size())), errors.size()};
+}
+
+CellMask cellsOf(const World& world, const std::vector<std::string>& names, const GridFrame& frame)
+{
+  CellMask mask(frame, 0);
+  std::vector<Solid> solids;
+  for (std::size_t i = 0; i < world.size(); ++i)
+  {
+    const std::string name = world.name(i).substr(world.name(i).find('.') + 1);
+    if (std::none_of(names.begin(), names.end(),
+                     [&](const std::string& start) { return name.rfind(start, 0) == 0; }))
+      continue;
+    for (std::int32_t y = 0; y < frame.height; ++y)
+      for (std::int32_t x = 0; x < frame.width; ++x)
+      {
+        solids.clear();
+        const double cx = (frame.x0 + x + 0.5) * frame.resolution;
+        const double cy = (frame.y0 + y + 0.5) * frame.resolution;
+        const Footprint place = world.primitive(i).footprint();
+        if (cx < place.xMin || cx > place.xMax || cy < place.yMin || cy > place.yMax) continue;
+        world.primitive(i).appendSolids(cx, cy, solids);
+        if (!solids.empty()) mask.at(x, y) = 1;
+      }
+  }
+  return mask;
+}
+
+CellMask both(const CellMask& a, const CellMask& b)
+{
+  CellMask mask = on(a.frame(), b, std::uint8_t{0});
+  for (std::size_t i = 0; i < mask.cells().size(); ++i)
+    mask.cells()[i] = mask.cells()[i] && a.cells()[i];
+  return mask;
+}
+
+CellMask cellsFrom(const Layer<float>& layer, float least)
+{
+  CellMask mask(layer.frame(), 0);
+  for (std::size_t i = 0; i < mask.cells().size(); ++i) mask.cells()[i] = layer.cells()[i] >= least;
+  return mask;
+}
+
+}  // namespace mrpt_mapconv::sim

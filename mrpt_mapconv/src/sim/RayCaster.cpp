@@ -1,0 +1,212 @@
+#include <embree3/rtcore.h>
+#include <mrpt_mapconv/sim/RayCaster.h>
+#include <tbb/task_arena.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+namespace mrpt_mapconv::sim
+{
+using mrpt::math::TPoint3D;
+using mrpt::math::TVector3D;
+
+namespace
+{
+struct Releaser
+{
+  void operator()(RTCDevice device) const { rtcReleaseDevice(device); }
+  void operator()(RTCScene scene) const { rtcReleaseScene(scene); }
+};
+using Device = std::unique_ptr<RTCDeviceTy, Releaser>;
+using SceneHandle = std::unique_ptr<RTCSceneTy, Releaser>;
+
+/** What Embree holds of a primitive that is made of triangles. */
+struct Triangles
+{
+  const std::array<float, 3>* vertices = nullptr;
+  const std::array<std::uint32_t, 3>* corners = nullptr;
+};
+
+TPoint3D toDouble(const std::array<float, 3>& p) { return {p[0], p[1], p[2]}; }
+
+TVector3D cross(const TVector3D& a, const TVector3D& b)
+{
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+double dot(const TVector3D& a, const TVector3D& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
+
+TVector3D directionOf(const RTCRay& ray) { return {ray.dir_x, ray.dir_y, ray.dir_z}; }
+
+/** Embree hands out plain pointers: ours lead to a pointer to the surface, see attachCurved(). */
+const CurvedSurface& surfaceOf(void* userData)
+{
+  return **static_cast<const CurvedSurface**>(userData);
+}
+
+void curvedBounds(const RTCBoundsFunctionArguments* args)
+{
+  const auto [low, high] = surfaceOf(args->geometryUserPtr).bounds();
+  // Embree's box must hold the surface also after the rounding to single precision
+  const auto below = [](double v)
+  { return std::nextafterf(static_cast<float>(v), -std::numeric_limits<float>::infinity()); };
+  const auto above = [](double v)
+  { return std::nextafterf(static_cast<float>(v), std::numeric_limits<float>::infinity()); };
+  *args->bounds_o = {below(low.x),  below(low.y),  below(low.z),  0,
+                     above(high.x), above(high.y), above(high.z), 0};
+}
+
+void meetCurved(const RTCIntersectFunctionNArguments* args)
+{
+  if (!args->valid[0]) return;
+  // rays are cast one by one, so a packet of one is the plain structure
+  auto& query = *reinterpret_cast<RTCRayHit*>(args->rayhit);
+  const CurvedSurface& surface = surfaceOf(args->geometryUserPtr);
+  RTCRay& ray = query.ray;
+  const auto meeting =
+      surface.meet({ray.org_x, ray.org_y, ray.org_z}, directionOf(ray), ray.tnear, ray.tfar);
+  if (!meeting) return;
+  ray.tfar = static_cast<float>(meeting->range);
+  query.hit.Ng_x = static_cast<float>(meeting->outwards.x);
+  query.hit.Ng_y = static_cast<float>(meeting->outwards.y);
+  query.hit.Ng_z = static_cast<float>(meeting->outwards.z);
+  query.hit.primID = 0;
+  query.hit.geomID = args->geomID;
+  query.hit.instID[0] = args->context->instID[0];
+}
+}  // namespace
+
+struct RayCaster::Scene
+{
+  explicit Scene(const World& w);
+  void attachTriangles(unsigned id);
+  void attachCurved(unsigned id);
+  void attach(RTCGeometry geometry, unsigned id);
+  Hit hitOf(const RTCRayHit& answer) const;
+
+  const World& world;
+  Device device;
+  SceneHandle scene;
+  std::vector<Triangles> triangles;          // by primitive; empty for curved ones
+  std::vector<const CurvedSurface*> curved;  // by primitive; null for those of triangles
+};
+
+RayCaster::Scene::Scene(const World& w)
+    : world(w), device(rtcNewDevice(nullptr)), triangles(w.size()), curved(w.size())
+{
+  if (!device) throw std::runtime_error("Embree does not start (no memory, or an old processor)");
+  scene.reset(rtcNewScene(device.get()));
+  // so that no ray slips through an edge between two triangles
+  rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
+  for (unsigned id = 0; id < w.size(); ++id)
+  {
+    curved[id] = w.primitive(id).curved();
+    if (curved[id])
+      attachCurved(id);
+    else
+      attachTriangles(id);
+  }
+  // One thread builds, so that the tree and its answers are always the same; the device's own
+  // option for this would bind all of the process to one thread.
+  tbb::task_arena(1).execute([this] { rtcCommitScene(scene.get()); });
+  if (const RTCError error = rtcGetDeviceError(device.get()); error != RTC_ERROR_NONE)
+    throw std::runtime_error("Embree could not build the world: its error " +
+                             std::to_string(static_cast<int>(error)));
+}
+
+void RayCaster::Scene::attach(RTCGeometry geometry, unsigned id)
+{
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometryByID(scene.get(), geometry, id);
+  rtcReleaseGeometry(geometry);
+}
+
+void RayCaster::Scene::attachTriangles(unsigned id)
+{
+  Mesh mesh;
+  world.primitive(id).appendMesh(mesh);
+  const RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_TRIANGLE);
+  const auto fill = [&](RTCBufferType type, RTCFormat format, const auto& items)
+  {
+    using Item = typename std::decay_t<decltype(items)>::value_type;
+    void* buffer = rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(Item), items.size());
+    if (!buffer) throw std::bad_alloc();
+    std::copy(items.begin(), items.end(), static_cast<Item*>(buffer));
+    return static_cast<const Item*>(buffer);
+  };
+  triangles[id].vertices = fill(RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, mesh.vertices);
+  triangles[id].corners = fill(RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, mesh.triangles);
+  attach(geometry, id);
+}
+
+void RayCaster::Scene::attachCurved(unsigned id)
+{
+  const RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_USER);
+  rtcSetGeometryUserPrimitiveCount(geometry, 1);
+  rtcSetGeometryUserData(geometry, &curved[id]);
+  rtcSetGeometryBoundsFunction(geometry, curvedBounds, nullptr);
+  rtcSetGeometryIntersectFunction(geometry, meetCurved);
+  attach(geometry, id);
+}
+
+Hit RayCaster::Scene::hitOf(const RTCRayHit& answer) const
+{
+  const RTCRay& ray = answer.ray;
+  Hit hit;
+  hit.range = ray.tfar;
+  hit.primitive = static_cast<std::int32_t>(answer.hit.geomID);
+  TVector3D normal(answer.hit.Ng_x, answer.hit.Ng_y, answer.hit.Ng_z);
+  const TVector3D direction = directionOf(ray);
+  const Triangles& surface = triangles[answer.hit.geomID];
+  if (surface.vertices)
+  {
+    // Single precision is not enough where a ray meets a far face under a small angle: there the
+    // range is found again on the face's plane.
+    const auto& corners = surface.corners[answer.hit.primID];
+    const TPoint3D a = toDouble(surface.vertices[corners[0]]);
+    normal = cross(toDouble(surface.vertices[corners[1]]) - a,
+                   toDouble(surface.vertices[corners[2]]) - a);
+    const double range =
+        dot(normal, a - TPoint3D(ray.org_x, ray.org_y, ray.org_z)) / dot(normal, direction);
+    if (std::isfinite(range)) hit.range = std::max(ray.tnear, static_cast<float>(range));
+  }
+  normal *= (dot(normal, direction) > 0 ? -1 : 1) / normal.norm();
+  hit.normal = {static_cast<float>(normal.x), static_cast<float>(normal.y),
+                static_cast<float>(normal.z)};
+  return hit;
+}
+
+RayCaster::RayCaster(const World& world) : m_scene(std::make_unique<Scene>(world)) {}
+RayCaster::~RayCaster() = default;
+
+const World& RayCaster::world() const { return m_scene->world; }
+
+Hit RayCaster::cast(const Ray& ray, float minRange, float maxRange) const
+{
+  RTCRayHit query{};
+  query.ray.org_x = ray.origin.x;
+  query.ray.org_y = ray.origin.y;
+  query.ray.org_z = ray.origin.z;
+  query.ray.dir_x = ray.direction.x;
+  query.ray.dir_y = ray.direction.y;
+  query.ray.dir_z = ray.direction.z;
+  query.ray.tnear = minRange;
+  query.ray.tfar = maxRange;
+  query.ray.mask = ~0u;
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcIntersect1(m_scene->scene.get(), &context, &query);
+  return query.hit.geomID == RTC_INVALID_GEOMETRY_ID ? Hit{} : m_scene->hitOf(query);
+}
+
+void RayCaster::cast(const std::vector<Ray>& rays, float minRange, float maxRange,
+                     std::vector<Hit>& hits) const
+{
+  hits.resize(rays.size());
+  std::transform(rays.begin(), rays.end(), hits.begin(),
+                 [&](const Ray& ray) { return cast(ray, minRange, maxRange); });
+}
+
+}  // namespace mrpt_mapconv::sim

@@ -1,0 +1,245 @@
+#include <mrpt/config/CConfigFileMemory.h>
+#include <mrpt_mapconv/grid/FileIo.h>
+#include <mrpt_mapconv/maps/MrptError.h>
+#include <mrpt_mapconv/sim/Scenario.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+#include "UnknownKeys.h"
+
+namespace mrpt_mapconv::sim
+{
+using maps::StrictSection;
+using mrpt::config::CConfigFileMemory;
+using mrpt::math::TPoint3D;
+
+namespace
+{
+constexpr const char* kSensorPrefix = "sensor.";
+
+std::string readText(const std::string& path)
+{
+  if (std::error_code none; std::filesystem::is_directory(path, none))
+    grid::throwFileError("read", path, EISDIR);
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  if (!file) grid::throwFileError("read", path, errno);
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+/** MRPT passes over lines that it does not understand: a forgotten "=" would go unnoticed. */
+void checkLines(const std::string& text)
+{
+  std::istringstream lines(text);
+  bool continued = false;  // a backslash at its end continues a line in the next
+  std::string line;
+  for (int number = 1; std::getline(lines, line); ++number)
+  {
+    const bool isNew = !continued;
+    const auto begin = line.find_first_not_of(" \t\r"), end = line.find_last_not_of(" \t\r");
+    continued = begin != std::string::npos && line[end] == '\\';
+    if (!isNew || begin == std::string::npos) continue;
+    const std::string content = line.substr(begin, end + 1 - begin);
+    const bool known = content[0] == ';' || content[0] == '#' || content.compare(0, 2, "//") == 0 ||
+                       content[0] == '@' ||
+                       (content[0] == '[' && content.find(']') != std::string::npos);
+    const auto equals = content.find('=');
+    if (!known && (equals == std::string::npos || equals == 0))
+      throw std::runtime_error("line " + std::to_string(number) + ": '" + content +
+                               "' is no section, comment or key = value");
+  }
+}
+
+std::vector<std::string> sensorSections(const CConfigFileMemory& ini)
+{
+  std::vector<std::string> all, sections;
+  ini.getAllSections(all);
+  const std::string prefix = kSensorPrefix;
+  for (const auto& name : all)
+    if (name.compare(0, prefix.size(), prefix) == 0) sections.push_back(name);
+  std::sort(sections.begin(), sections.end());
+  return sections;
+}
+
+std::vector<std::unique_ptr<const Sensor>> readSensors(const CConfigFileMemory& ini)
+{
+  std::vector<std::unique_ptr<const Sensor>> sensors;
+  for (const auto& name : sensorSections(ini))
+  {
+    StrictSection section(ini, name);
+    sensors.push_back(readSensor(section));
+  }
+  if (sensors.empty())
+    throw std::runtime_error("there is no sensor: a section 'sensor.NAME' must be there");
+  return sensors;
+}
+
+void readAtLeast(StrictSection& section, const std::string& key, double low, double& value)
+{
+  section.read(key, value);
+  if (value < low) section.fail(key, "a number >= " + std::to_string(static_cast<int>(low)));
+}
+
+NoiseParams readNoise(const CConfigFileMemory& ini)
+{
+  StrictSection section(ini, "noise");
+  NoiseParams noise;
+  readAtLeast(section, "odometryPerMetre", 0, noise.odometryPerMetre);
+  readAtLeast(section, "odometryYawPerMetre", 0, noise.odometryYawPerMetre);
+  readAtLeast(section, "odometryYawPerTurn", 0, noise.odometryYawPerTurn);
+  section.read("odometryDrift", noise.odometryDrift);
+  readAtLeast(section, "posePosition", 0, noise.posePosition);
+  readAtLeast(section, "poseAngle", 0, noise.poseAngle);
+  refuseUnknownKeys(section, "the noise");
+  return noise;
+}
+
+LogParams readLog(const CConfigFileMemory& ini)
+{
+  StrictSection section(ini, "log");
+  LogParams log;
+  section.read("poses", log.poses);
+  section.read("keyFrameEvery", log.keyFrameEvery);
+  if (log.keyFrameEvery < 1) section.fail("keyFrameEvery", "a whole number >= 1");
+  refuseUnknownKeys(section, "the log");
+  return log;
+}
+
+void readTruth(const CConfigFileMemory& ini, Scenario& scenario)
+{
+  StrictSection section(ini, "truth");
+  section.read("resolution", scenario.truthResolution);
+  if (!(scenario.truthResolution > 0)) section.fail("resolution", "a number > 0 [m]");
+  section.read("minClearance", scenario.truth.minClearance);
+  section.read("robotHeight", scenario.truth.robotHeight);
+  section.read("maxSlope", scenario.truth.maxSlope);
+  section.read("maxStep", scenario.truth.maxStep);
+  refuseUnknownKeys(section, "the truth");
+  try
+  {
+    scenario.truth.check();
+  }
+  catch (const std::invalid_argument& error)
+  {
+    throw std::runtime_error("section 'truth': " + std::string(error.what()));
+  }
+}
+
+/** Walks along the way and throws where it does not lead through free space. */
+class WayCheck
+{
+ public:
+  /** \param key that the way was read from */
+  WayCheck(const Scenario& scenario, std::string key) : m_scenario(scenario), m_key(std::move(key))
+  {
+  }
+
+  void check() const
+  {
+    const auto& knots = m_scenario.trajectory.knots();
+    for (std::size_t i = 0; i < knots.size(); ++i)
+    {
+      const bool isPoint = i == 0 || knots[i].number != knots[i - 1].number;
+      checkAt(knots[i].time, knots[i].number, isPoint);
+      if (i + 1 == knots.size()) break;
+      const double way = (knots[i + 1].position - knots[i].position).norm();
+      const int steps = static_cast<int>(std::ceil(way / kStep));
+      for (int k = 1; k < steps; ++k)
+        checkAt(knots[i].time + (knots[i + 1].time - knots[i].time) * k / steps, knots[i].number,
+                false);
+    }
+  }
+
+ private:
+  static constexpr double kStep = 0.05;      //!< [m]
+  static constexpr double kOffFloor = 0.01;  //!< [m]
+
+  void checkAt(double time, int number, bool atPoint) const
+  {
+    const auto pose = m_scenario.trajectory.poseAt(time);
+    const TPoint3D place = pose.translation();
+    const std::string where =
+        atPoint ? "number " + std::to_string(number) + " at " + placeText(place)
+                : "the way from number " + std::to_string(number) + " to " +
+                      std::to_string(number + 1) + ", at " + placeText(place) + ",";
+    checkPoint(place + TPoint3D(0, 0, kOffFloor), where + " puts the robot");
+    for (const auto& sensor : m_scenario.sensors)
+      checkPoint((pose + sensor->params().pose).translation(),
+                 where + " puts sensor '" + sensor->params().name + "'");
+  }
+
+  void checkPoint(const TPoint3D& point, const std::string& who) const
+  {
+    const World& world = m_scenario.world;
+    const TPoint3D &low = world.min(), &high = world.max();
+    const bool within = point.x >= low.x && point.y >= low.y && point.z >= low.z &&
+                        point.x <= high.x && point.y <= high.y && point.z <= high.z;
+    if (within && !world.isSolid(point)) return;
+    throw std::runtime_error("section 'trajectory': " + m_key + ": " + who +
+                             (within ? " inside '" + bodyAt(point) + "'; it must be in free space"
+                                     : " at " + placeText(point) +
+                                           ", but it must be within the bounds " + placeText(low) +
+                                           " to " + placeText(high)));
+  }
+
+  std::string bodyAt(const TPoint3D& point) const
+  {
+    const World& world = m_scenario.world;
+    for (std::size_t i = 0; i < world.size(); ++i)
+    {
+      std::vector<Solid> solids;
+      world.primitive(i).appendSolids(point.x, point.y, solids);
+      for (const Solid& solid : solids)
+        if (solid.bottom <= point.z && point.z <= solid.top) return world.name(i);
+    }
+    return "a body";
+  }
+
+  const Scenario& m_scenario;
+  const std::string m_key;
+};
+
+Scenario readScenario(const CConfigFileMemory& ini)
+{
+  World world = World::fromIni(ini, {kSensorPrefix, "trajectory", "noise", "log", "truth"});
+  auto sensors = readSensors(ini);
+  if (!ini.sectionExists("trajectory"))
+    throw std::runtime_error("there is no trajectory: a section 'trajectory' must be there");
+  StrictSection section(ini, "trajectory");
+  Trajectory trajectory = Trajectory::read(section, world);
+  Scenario scenario{std::move(world),
+                    std::move(sensors),
+                    std::move(trajectory),
+                    readNoise(ini),
+                    readLog(ini),
+                    {},
+                    0.1};
+  readTruth(ini, scenario);
+  WayCheck(scenario, section.has("poses") ? "poses" : "waypoints").check();
+  return scenario;
+}
+}  // namespace
+
+Scenario Scenario::load(const std::string& file)
+{
+  const std::string text = readText(file);
+  try
+  {
+    checkLines(text);
+    return readScenario(CConfigFileMemory(text));
+  }
+  catch (const std::exception& error)
+  {
+    throw std::runtime_error(file + ": " + maps::oneLine(error));
+  }
+}
+
+}  // namespace mrpt_mapconv::sim

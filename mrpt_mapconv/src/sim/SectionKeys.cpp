@@ -1,0 +1,72 @@
+#include "SectionKeys.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace mrpt_mapconv::sim
+{
+namespace
+{
+// beyond it single precision, which rays have, is worth less than a decimetre
+constexpr double kFarthest = 1e6;
+}  // namespace
+
+void require(maps::StrictSection& section, const std::string& key, const std::string& meaning)
+{
+  if (!section.has(key)) section.fail(key, "given: " + meaning);
+}
+
+std::vector<double> readNumbers(maps::StrictSection& section, const std::string& key,
+                                std::size_t count, const std::string& meaning)
+{
+  require(section, key, meaning);
+  std::vector<double> numbers;
+  section.read(key, numbers);
+  if (numbers.size() != count) section.fail(key, meaning);
+  for (const double number : numbers)
+    if (std::abs(number) > kFarthest) section.fail(key, meaning + ", within +-1e6");
+  return numbers;
+}
+
+double readNumber(maps::StrictSection& section, const std::string& key)
+{
+  return readNumbers(section, key, 1, "one number")[0];
+}
+
+double readPositive(maps::StrictSection& section, const std::string& key)
+{
+  const double number = readNumbers(section, key, 1, "a number > 0")[0];
+  if (!(number > 0)) section.fail(key, "a number > 0");
+  return number;
+}
+
+mrpt::math::TPoint2D readPoint2D(maps::StrictSection& section, const std::string& key)
+{
+  const auto v = readNumbers(section, key, 2, "two numbers, x y [m]");
+  return {v[0], v[1]};
+}
+
+mrpt::math::TPoint3D readPoint3D(maps::StrictSection& section, const std::string& key)
+{
+  const auto v = readNumbers(section, key, 3, "three numbers, x y z [m]");
+  return {v[0], v[1], v[2]};
+}
+
+Corners readCorners(maps::StrictSection& section)
+{
+  const Corners corners{readPoint3D(section, "min"), readPoint3D(section, "max")};
+  for (int axis = 0; axis < 3; ++axis)
+    if (!(corners.min[axis] < corners.max[axis]))
+      section.fail("max", std::string("above min in ") + "xyz"[axis]);
+  return corners;
+}
+
+Direction readDirection(maps::StrictSection& section)
+{
+  require(section, "direction", "+x or -x or +y or -y");
+  int index = 0;
+  section.readChoice("direction", {"+x", "-x", "+y", "-y"}, index);
+  return {index >= 2, index % 2 == 1};
+}
+
+}  // namespace mrpt_mapconv::sim

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <mrpt/math/TPoint2D.h>
+#include <mrpt/math/TPoint3D.h>
+#include <mrpt_mapconv/maps/StrictSection.h>
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace mrpt_mapconv::sim
+{
+// What world files ask of their keys beyond what StrictSection does. All of these throw
+// std::runtime_error in one line naming section, key and value, and what would be right.
+
+/** Fails unless the key is there. \param meaning e.g. "two numbers, x y [m]" */
+void require(maps::StrictSection& section, const std::string& key, const std::string& meaning);
+
+/** Exactly so many numbers within ±1e6. */
+std::vector<double> readNumbers(maps::StrictSection& section, const std::string& key,
+                                std::size_t count, const std::string& meaning);
+double readNumber(maps::StrictSection& section, const std::string& key);    //!< must be there
+double readPositive(maps::StrictSection& section, const std::string& key);  //!< must be there
+mrpt::math::TPoint2D readPoint2D(maps::StrictSection& section, const std::string& key);
+mrpt::math::TPoint3D readPoint3D(maps::StrictSection& section, const std::string& key);
+
+/** Keys min and max, the corners of a box of positive size. */
+struct Corners
+{
+  mrpt::math::TPoint3D min, max;  //!< [m]
+};
+Corners readCorners(maps::StrictSection& section);
+
+/** Key direction: towards +x, -x, +y or -y. */
+struct Direction
+{
+  bool alongY = false;
+  bool backwards = false;
+};
+Direction readDirection(maps::StrictSection& section);
+
+}  // namespace mrpt_mapconv::sim

@@ -1,0 +1,253 @@
+#include <mrpt/core/bits_math.h>
+#include <mrpt/obs/CActionCollection.h>
+#include <mrpt/obs/CActionRobotMovement2D.h>
+#include <mrpt/obs/CObservationOdometry.h>
+#include <mrpt/obs/CObservationRobotPose.h>
+#include <mrpt/obs/CSensoryFrame.h>
+#include <mrpt/poses/CPose3DPDFGaussian.h>
+#include <mrpt_mapconv/grid/FileIo.h>
+#include <mrpt_mapconv/grid/GeoTiff.h>
+#include <mrpt_mapconv/grid/LayerPicture.h>
+#include <mrpt_mapconv/maps/LayerFiles.h>
+#include <mrpt_mapconv/sim/SimulationFiles.h>
+#include <mrpt_mapconv/sim/Truth.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "ObjectStream.h"
+
+namespace mrpt_mapconv::sim
+{
+using mrpt::obs::CActionRobotMovement2D;
+using mrpt::obs::CSensoryFrame;
+using mrpt::poses::CPose2D;
+using mrpt::poses::CPose3D;
+
+namespace
+{
+constexpr double kTruthShare = 0.1;  //!< of the progress
+
+/** The poses over time, as lines of text. */
+class TrajectoryFile
+{
+ public:
+  explicit TrajectoryFile(const std::string& path) : m_path(path)
+  {
+    grid::writeFile(path, {});
+    m_file.open(path, std::ios::binary | std::ios::trunc);
+    m_file << "t,x,y,z,yaw,pitch,roll\n";
+  }
+
+  void write(double seconds, const CPose3D& pose)
+  {
+    std::string line = textOf(seconds);
+    for (const double v : {pose.x(), pose.y(), pose.z(), pose.yaw(), pose.pitch(), pose.roll()})
+      line += "," + textOf(v);
+    m_file << line << '\n';
+  }
+
+  void finish()
+  {
+    errno = 0;
+    m_file.close();
+    if (!m_file) grid::throwFileError("write", m_path, errno != 0 ? errno : EIO);
+    grid::checkWritten(m_path);
+  }
+
+ private:
+  /** The shortest text that is read back as the same number. */
+  static std::string textOf(double value)
+  {
+    char text[32];
+    return {text, std::to_chars(text, text + sizeof(text), value + 0.0).ptr};
+  }
+
+  std::string m_path;
+  std::ofstream m_file;
+};
+
+CSensoryFrame frameOf(const Moment& moment)
+{
+  CSensoryFrame frame;
+  for (const Scan& scan : moment.scans) frame.insert(scan.observation);
+  return frame;
+}
+
+mrpt::poses::CPose3DPDFGaussian estimateOf(const Moment& moment, const NoiseParams& noise)
+{
+  // MRPT inverts covariances: even a perfect estimate has to have one.
+  const double position = std::max(noise.posePosition, 1e-3);
+  const double angle = mrpt::DEG2RAD(std::max(noise.poseAngle, 0.01));
+  mrpt::poses::CPose3DPDFGaussian estimate(moment.estimatedPose);
+  estimate.cov.setZero();
+  for (int i = 0; i < 6; ++i) estimate.cov(i, i) = mrpt::square(i < 3 ? position : angle);
+  return estimate;
+}
+
+/** Everything that is written while the robot moves. */
+class Recorder
+{
+ public:
+  Recorder(grid::OutputDir& out, const Scenario& scenario, std::uint32_t keyFrames)
+      : m_scenario(scenario),
+        m_observations(out.path("scans.rawlog")),
+        m_frames(out.path("frames.rawlog")),
+        m_map(out.path("scans.simplemap"), keyFrames),
+        m_trajectory(out.path("trajectory.csv"))
+  {
+  }
+
+  void write(const Moment& moment)
+  {
+    writeObservations(moment);
+    const CSensoryFrame frame = frameOf(moment);
+    m_frames.write(actionTo(moment));
+    m_frames.write(frame);
+    if (moment.keyFrame) m_map.write(estimateOf(moment, m_scenario.noise), frame);
+    m_trajectory.write(moment.seconds, moment.pose);
+  }
+
+  void finish()
+  {
+    m_observations.finish();
+    m_frames.finish();
+    m_map.finish();
+    m_trajectory.finish();
+  }
+
+ private:
+  void writeObservations(const Moment& moment)
+  {
+    mrpt::obs::CObservationOdometry odometry;
+    odometry.timestamp = moment.time;
+    odometry.sensorLabel = "odometry";
+    odometry.odometry = moment.odometry;
+    m_observations.write(odometry);
+    if (m_scenario.log.poses)
+    {
+      mrpt::obs::CObservationRobotPose pose;
+      pose.timestamp = moment.time;
+      pose.sensorLabel = "pose";
+      pose.pose = estimateOf(moment, m_scenario.noise);
+      m_observations.write(pose);
+    }
+    for (const Scan& scan : moment.scans) m_observations.write(*scan.observation);
+  }
+
+  mrpt::obs::CActionCollection actionTo(const Moment& moment)
+  {
+    const CPose2D step = m_isFirst ? CPose2D() : moment.odometry - m_lastOdometry;
+    m_isFirst = false;
+    m_lastOdometry = moment.odometry;
+    CActionRobotMovement2D movement;
+    movement.timestamp = moment.time;
+    movement.computeFromOdometry(step, m_motionModel);
+    mrpt::obs::CActionCollection actions;
+    actions.insert(movement);
+    return actions;
+  }
+
+  const Scenario& m_scenario;
+  ObjectStream m_observations, m_frames;
+  SimpleMapStream m_map;
+  TrajectoryFile m_trajectory;
+  bool m_isFirst = true;
+  CPose2D m_lastOdometry;
+  CActionRobotMovement2D::TMotionModelOptions m_motionModel;  // its default: Gaussian
+};
+
+std::uint32_t countKeyFrames(const Scenario& scenario)
+{
+  Schedule schedule(scenario);
+  std::uint64_t count = 0;
+  while (const auto slot = schedule.next()) count += slot->keyFrame ? 1 : 0;
+  if (count > std::numeric_limits<std::uint32_t>::max())
+    throw std::runtime_error("a simplemap cannot hold " + std::to_string(count) + " key frames");
+  return static_cast<std::uint32_t>(count);
+}
+
+void addTo(SimulationSummary& summary, const Moment& moment)
+{
+  summary.seconds = moment.seconds;
+  ++summary.moments;
+  summary.scans += moment.scans.size();
+  summary.keyFrames += moment.keyFrame ? 1 : 0;
+  for (const Scan& scan : moment.scans)
+    if (scan.is3D) summary.returns3D += scan.truePoints.size();
+}
+
+double wayOf(const Trajectory& trajectory)
+{
+  double way = 0;
+  const auto& knots = trajectory.knots();
+  for (std::size_t i = 1; i < knots.size(); ++i)
+    way += (knots[i].position - knots[i - 1].position).norm();
+  return way;
+}
+
+void writeTruth(grid::OutputDir& out, const Scenario& scenario, const grid::Layer<float>& inView)
+{
+  const auto layers = truthLayers(scenario.world, inView.frame(), scenario.truth);
+  std::vector<grid::NamedLayer> bands;
+  for (const auto& [name, layer] : layers.named())
+  {
+    bands.push_back({name, layer});
+    maps::writeLayerPicture(out.path("truth_" + name + ".png"), layers, name);
+  }
+  bands.push_back({"inView", &inView});
+  grid::writeGeoTiff(out.path("truth.tif"), bands);
+  auto seen = inView;
+  std::replace(seen.cells().begin(), seen.cells().end(), 0.0f, freespace::Layers::kNone);
+  grid::writeLayerPng(out.path("truth_inView.png"), seen,
+                      {"In view: 3D returns per cell", "", grid::PictureKind::Height});
+}
+}  // namespace
+
+void countReturns(const Moment& moment, grid::Layer<float>& inView)
+{
+  const grid::GridFrame& frame = inView.frame();
+  const auto key = [&](float metres)
+  { return static_cast<std::int32_t>(std::floor(static_cast<double>(metres) / frame.resolution)); };
+  for (const Scan& scan : moment.scans)
+  {
+    if (!scan.is3D) continue;
+    for (const auto& point : scan.truePoints)
+      if (frame.containsKey(key(point.x), key(point.y)))
+        inView.cells()[frame.indexOfKey(key(point.x), key(point.y))] += 1;
+  }
+}
+
+SimulationSummary simulateTo(grid::OutputDir& out, const Scenario& scenario, std::uint64_t seed,
+                             const std::function<void(double)>& progress)
+{
+  const auto report = [&](double share)
+  {
+    if (progress) progress(share);
+  };
+  SimulationSummary summary;
+  summary.way = wayOf(scenario.trajectory);
+  grid::Layer<float> inView(frameOf(scenario.world, scenario.truthResolution), 0.0f);
+  Recorder recorder(out, scenario, countKeyFrames(scenario));
+  Simulator simulator(scenario, seed);
+  while (const auto moment = simulator.next())
+  {
+    recorder.write(*moment);
+    countReturns(*moment, inView);
+    addTo(summary, *moment);
+    report((1 - kTruthShare) * moment->seconds / scenario.trajectory.duration());
+  }
+  recorder.finish();
+  writeTruth(out, scenario, inView);
+  report(1);
+  return summary;
+}
+
+}  // namespace mrpt_mapconv::sim

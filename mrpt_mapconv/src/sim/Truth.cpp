@@ -1,0 +1,234 @@
+#include <mrpt_mapconv/grid/OccupancyCell.h>
+#include <mrpt_mapconv/sim/Truth.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+
+#include "../freespace/Parallel.h"
+
+namespace mrpt_mapconv::sim
+{
+namespace
+{
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kSlack = 1e-9;     // a value that is exactly a limit keeps it after roundings [m]
+constexpr std::int32_t kSteps = 8;  // of the lattice that jumps are looked for on, to a cell
+
+void requireParameter(bool ok, const char* name, double value, const char* right)
+{
+  if (ok) return;
+  std::ostringstream message;
+  message << name << " = " << value << " is not valid: it must be " << right;
+  throw std::invalid_argument(message.str());
+}
+
+/** Where one could be on a vertical line. */
+struct Gap
+{
+  double floor, ceiling;  // [m]
+  double slope;           // of the floor
+  double height() const { return ceiling - floor; }
+};
+
+/** What the truth says of one vertical line. */
+struct Line
+{
+  bool solid = false;     // there is something within the bounds
+  double lowestTop = 0;   // top of its lowest solid [m]
+  bool gapAbove = false;  // whether gaps.front() is the one above the lowest solid
+  std::vector<Gap> gaps;  // from the lowest up
+};
+
+/** Vertical lines through a world; holds its scratch memory, so each thread needs its own. */
+class Probe
+{
+ public:
+  explicit Probe(const World& world) : m_world(world) {}
+
+  const Line& lineAt(double x, double y)
+  {
+    const double zMin = m_world.min().z, zMax = m_world.max().z;
+    m_world.solidsAt(x, y, m_solids);
+    m_line.solid = m_line.gapAbove = false;
+    m_line.gaps.clear();
+    for (std::size_t i = 0; i < m_solids.size(); ++i)
+    {
+      const Solid& solid = m_solids[i];
+      if (solid.top <= zMin || solid.bottom >= zMax) continue;
+      const bool lowest = !m_line.solid;
+      if (lowest) m_line.lowestTop = solid.top;
+      m_line.solid = true;
+      if (solid.top >= zMax - kSlack) continue;
+      m_line.gapAbove = m_line.gapAbove || lowest;
+      const double ceiling =
+          i + 1 < m_solids.size() ? std::min(m_solids[i + 1].bottom, zMax) : kInfinity;
+      m_line.gaps.push_back({solid.top, ceiling, solid.slope});
+    }
+    return m_line;
+  }
+
+  /** Top of the lowest solid [m]; NaN: there is none. */
+  double lowestTop(double x, double y)
+  {
+    m_world.solidsAt(x, y, m_solids);
+    for (const Solid& solid : m_solids)
+      if (solid.top > m_world.min().z && solid.bottom < m_world.max().z) return solid.top;
+    return std::numeric_limits<double>::quiet_NaN();
+  }
+
+ private:
+  const World& m_world;
+  std::vector<Solid> m_solids;
+  Line m_line;
+};
+
+/** A row of cells being looked at for jumps of the lowest solid's top. */
+class JumpRow
+{
+ public:
+  JumpRow(const World& world, const grid::GridFrame& frame, double maxStep)
+      : m_world(world), m_frame(frame), m_maxStep(maxStep)
+  {
+  }
+
+  /** The row, counted from the frame's corner. */
+  void start(std::int32_t iy, Probe& probe)
+  {
+    const bool follows = iy == m_row + 1;
+    m_row = iy;
+    if (follows) m_tops.front().swap(m_tops.back());
+    for (std::int32_t j = follows ? 1 : 0; j <= kSteps; ++j) fill(j, probe);
+  }
+
+  /** Whether there is a jump in the square of the cell in column ix. */
+  bool jumpIn(std::int32_t ix) const
+  {
+    for (std::int32_t j = 0; j <= kSteps; ++j)
+      for (std::int32_t i = 0; i <= kSteps; ++i)
+      {
+        const double here = top(j, ix * kSteps + i);
+        if (i < kSteps && jumps(here, top(j, ix * kSteps + i + 1))) return true;
+        if (j < kSteps && jumps(here, top(j + 1, ix * kSteps + i))) return true;
+      }
+    return false;
+  }
+
+ private:
+  double top(std::int32_t j, std::int32_t i) const
+  {
+    return m_tops[static_cast<std::size_t>(j)][static_cast<std::size_t>(i)];
+  }
+  /** A hole in the ground is a jump, too. */
+  bool jumps(double a, double b) const
+  {
+    if (std::isnan(a) || std::isnan(b)) return std::isnan(a) != std::isnan(b);
+    return std::abs(a - b) > m_maxStep + kSlack;
+  }
+  void fill(std::int32_t j, Probe& probe)
+  {
+    auto& tops = m_tops[static_cast<std::size_t>(j)];
+    tops.resize(static_cast<std::size_t>(m_frame.width) * kSteps + 1);
+    const double cell = m_frame.resolution / kSteps;
+    const auto place = [&](std::int32_t key, std::int64_t step, double low, double high) {
+      return std::clamp(static_cast<double>(std::int64_t{key} * kSteps + step) * cell, low, high);
+    };
+    const auto &min = m_world.min(), &max = m_world.max();
+    const double y = place(m_frame.y0, std::int64_t{m_row} * kSteps + j, min.y, max.y);
+    for (std::size_t i = 0; i < tops.size(); ++i)
+      tops[i] = probe.lowestTop(place(m_frame.x0, static_cast<std::int64_t>(i), min.x, max.x), y);
+  }
+
+  const World& m_world;
+  const grid::GridFrame& m_frame;
+  double m_maxStep;
+  std::int32_t m_row = -2;
+  std::array<std::vector<double>, kSteps + 1> m_tops;
+};
+
+/** Fills all layers of a cell but the jumps. \return whether a ground robot could be there */
+bool judge(const Line& line, const TruthParams& params, freespace::Layers& layers, std::size_t cell)
+{
+  if (!line.solid) return false;
+  const auto flies = [&](const Gap& gap) { return gap.height() >= params.minClearance - kSlack; };
+  const auto lowest = std::find_if(line.gaps.begin(), line.gaps.end(), flies);
+  layers.aerial.cells()[cell] = lowest == line.gaps.end() ? 1.0f : grid::kFree;
+  if (lowest != line.gaps.end())
+  {
+    const auto highest = std::find_if(line.gaps.rbegin(), line.gaps.rend(), flies);
+    layers.floor.cells()[cell] = static_cast<float>(lowest->floor);
+    layers.slope.cells()[cell] = static_cast<float>(lowest->slope);
+    layers.ceiling.cells()[cell] = static_cast<float>(highest->ceiling);
+  }
+  layers.ground.cells()[cell] = 1.0f;
+  return line.gapAbove && line.gaps.front().height() >= params.robotHeight - kSlack &&
+         line.gaps.front().slope <= params.maxSlope + kSlack;
+}
+
+void fillRow(const grid::GridFrame& frame, std::int32_t iy, const TruthParams& params,
+             const World& world, Probe& probe, JumpRow& jumps, freespace::Layers& layers)
+{
+  jumps.start(iy, probe);
+  const double y = (frame.y0 + iy + 0.5) * frame.resolution;
+  if (y < world.min().y || y > world.max().y) return;
+  for (std::int32_t ix = 0; ix < frame.width; ++ix)
+  {
+    const double x = (frame.x0 + ix + 0.5) * frame.resolution;
+    if (x < world.min().x || x > world.max().x) continue;
+    const std::size_t cell = frame.indexOfKey(frame.x0 + ix, frame.y0 + iy);
+    if (judge(probe.lineAt(x, y), params, layers, cell) && !jumps.jumpIn(ix))
+      layers.ground.cells()[cell] = grid::kFree;
+  }
+}
+}  // namespace
+
+void TruthParams::check() const
+{
+  const auto positive = [](double v) { return std::isfinite(v) && v > 0; };
+  requireParameter(positive(minClearance), "minClearance", minClearance, "a finite height > 0 m");
+  requireParameter(positive(robotHeight), "robotHeight", robotHeight, "a finite height > 0 m");
+  requireParameter(std::isfinite(maxSlope) && maxSlope >= 0, "truthSlope", maxSlope,
+                   "a finite slope >= 0");
+  requireParameter(std::isfinite(maxStep) && maxStep >= 0, "truthStep", maxStep,
+                   "a finite height >= 0 m");
+}
+
+grid::GridFrame frameOf(const World& world, double resolution)
+{
+  constexpr double kMostCells = 1e5;  // on a side
+  const double side = std::max(world.max().x - world.min().x, world.max().y - world.min().y);
+  requireParameter(resolution > 0 && side / resolution < kMostCells, "resolution", resolution,
+                   "> 0 m, and at least a 100 000th of the world's side");
+  // of a cell: bounds on a cell's border do not touch the cell beyond
+  constexpr double kBorder = 1e-6;
+  const auto key = [](double v) { return static_cast<std::int32_t>(v); };
+  grid::GridFrame frame;
+  frame.resolution = resolution;
+  frame.x0 = key(std::floor(world.min().x / resolution + kBorder));
+  frame.y0 = key(std::floor(world.min().y / resolution + kBorder));
+  frame.width = key(std::ceil(world.max().x / resolution - kBorder)) - frame.x0;
+  frame.height = key(std::ceil(world.max().y / resolution - kBorder)) - frame.y0;
+  return frame;
+}
+
+freespace::Layers truthLayers(const World& world, const grid::GridFrame& frame,
+                              const TruthParams& params, int threads)
+{
+  params.check();
+  freespace::Layers layers(frame);
+  freespace::inParallel(static_cast<std::size_t>(std::max(0, frame.height)), threads,
+                        [&](std::size_t begin, std::size_t end)
+                        {
+                          Probe probe(world);
+                          JumpRow jumps(world, frame, params.maxStep);
+                          for (std::size_t iy = begin; iy < end; ++iy)
+                            fillRow(frame, static_cast<std::int32_t>(iy), params, world, probe,
+                                    jumps, layers);
+                        });
+  return layers;
+}
+
+}  // namespace mrpt_mapconv::sim

@@ -1,0 +1,214 @@
+#include <algorithm>
+#include <cmath>
+
+#include "../MeshBuilder.h"
+#include "../Relief.h"
+#include "../SectionKeys.h"
+#include "../Tunnels.h"
+
+namespace mrpt_mapconv::sim
+{
+namespace
+{
+constexpr double kMostPoints = 2e7;
+
+/** A surface over a rectangular lattice, each of whose squares is two triangles. */
+class Lattice
+{
+ public:
+  /** The triangle's plane over a place. */
+  struct Surface
+  {
+    double height, slope;
+  };
+
+  /** \param spacing of the points at most [m] */
+  Lattice(const Footprint& area, double spacing)
+      : m_area(area),
+        m_squaresX(squares(area.xMax - area.xMin, spacing)),
+        m_squaresY(squares(area.yMax - area.yMin, spacing)),
+        m_heights((m_squaresX + 1) * (m_squaresY + 1))
+  {
+  }
+
+  static std::size_t squares(double length, double spacing)
+  {
+    return static_cast<std::size_t>(std::max(1.0, std::ceil(length / spacing - 1e-9)));
+  }
+
+  const Footprint& area() const { return m_area; }
+  std::size_t squaresX() const { return m_squaresX; }
+  std::size_t squaresY() const { return m_squaresY; }
+  double x(std::size_t i) const { return place(m_area.xMin, m_area.xMax, i, m_squaresX); }
+  double y(std::size_t j) const { return place(m_area.yMin, m_area.yMax, j, m_squaresY); }
+  float& height(std::size_t i, std::size_t j) { return m_heights[j * (m_squaresX + 1) + i]; }
+  float height(std::size_t i, std::size_t j) const { return m_heights[j * (m_squaresX + 1) + i]; }
+  const std::vector<float>& heights() const { return m_heights; }
+
+  bool contains(double px, double py) const
+  {
+    return px >= m_area.xMin && px <= m_area.xMax && py >= m_area.yMin && py <= m_area.yMax;
+  }
+
+  /** For a place inside. */
+  Surface at(double px, double py) const
+  {
+    const double u = (px - m_area.xMin) / (m_area.xMax - m_area.xMin) * double(m_squaresX);
+    const double v = (py - m_area.yMin) / (m_area.yMax - m_area.yMin) * double(m_squaresY);
+    const std::size_t i = std::min(static_cast<std::size_t>(u), m_squaresX - 1);
+    const std::size_t j = std::min(static_cast<std::size_t>(v), m_squaresY - 1);
+    const double s = u - double(i), t = v - double(j);
+    const double h00 = height(i, j), h11 = height(i + 1, j + 1);
+    // the square is cut from its corner (0, 0) to (1, 1), as the mesh is
+    const double corner = s > t ? height(i + 1, j) : height(i, j + 1);
+    const double alongX = s > t ? corner - h00 : h11 - corner;
+    const double alongY = s > t ? h11 - corner : corner - h00;
+    return {h00 + s * alongX + t * alongY,
+            std::hypot(alongX * double(m_squaresX) / (m_area.xMax - m_area.xMin),
+                       alongY * double(m_squaresY) / (m_area.yMax - m_area.yMin))};
+  }
+
+ private:
+  static double place(double begin, double end, std::size_t i, std::size_t count)
+  {
+    return i == count ? end : begin + (end - begin) * double(i) / double(count);
+  }
+
+  Footprint m_area;
+  std::size_t m_squaresX, m_squaresY;
+  std::vector<float> m_heights;
+};
+
+/** Adds a lattice's surface, and a flat face below or above it with sides to it, to a mesh. */
+class Faces
+{
+ public:
+  Faces(const Lattice& lattice, Mesh& mesh) : m_lattice(lattice), m_build(mesh)
+  {
+    m_first = static_cast<std::uint32_t>(mesh.vertices.size());
+    for (std::size_t j = 0; j <= lattice.squaresY(); ++j)
+      for (std::size_t i = 0; i <= lattice.squaresX(); ++i)
+        m_build.vertex(lattice.x(i), lattice.y(j), lattice.height(i, j));
+  }
+
+  void surface()
+  {
+    for (std::size_t j = 0; j < m_lattice.squaresY(); ++j)
+      for (std::size_t i = 0; i < m_lattice.squaresX(); ++i)
+        m_build.quad(point(i, j), point(i + 1, j), point(i + 1, j + 1), point(i, j + 1));
+  }
+
+  void sides(double flat)
+  {
+    const std::size_t right = m_lattice.squaresX(), upper = m_lattice.squaresY();
+    for (const std::size_t j : {std::size_t{0}, upper})
+      for (std::size_t i = 0; i < right; ++i) side(i, j, i + 1, j, flat);
+    for (const std::size_t i : {std::size_t{0}, right})
+      for (std::size_t j = 0; j < upper; ++j) side(i, j, i, j + 1, flat);
+  }
+
+  void flatFace(double flat)
+  {
+    const Footprint& area = m_lattice.area();
+    m_build.quad(
+        m_build.vertex(area.xMin, area.yMin, flat), m_build.vertex(area.xMax, area.yMin, flat),
+        m_build.vertex(area.xMax, area.yMax, flat), m_build.vertex(area.xMin, area.yMax, flat));
+  }
+
+ private:
+  std::uint32_t point(std::size_t i, std::size_t j) const
+  {
+    return m_first + static_cast<std::uint32_t>(j * (m_lattice.squaresX() + 1) + i);
+  }
+  void side(std::size_t i0, std::size_t j0, std::size_t i1, std::size_t j1, double flat)
+  {
+    m_build.quad(point(i0, j0), point(i1, j1),
+                 m_build.vertex(m_lattice.x(i1), m_lattice.y(j1), flat),
+                 m_build.vertex(m_lattice.x(i0), m_lattice.y(j0), flat));
+  }
+
+  const Lattice& m_lattice;
+  MeshBuilder m_build;
+  std::uint32_t m_first;
+};
+
+/** Ground or a rock ceiling with a smooth, uneven surface (see Relief and Tunnels for their keys).
+ * min, max: corners x y [m]; cell: spacing of the surface's points [m]; solid: below or above it;
+ * depth: thickness beyond the surface's lowest or highest point [m], default 1; for tunnels, which
+ * only rock above can have, wallBottom: height that the rock reaches down to beside them [m]. */
+class HeightField : public Primitive
+{
+ public:
+  HeightField(Lattice lattice, bool solidAbove, double depth)
+      : m_lattice(std::move(lattice)), m_solidAbove(solidAbove)
+  {
+    const auto& heights = m_lattice.heights();
+    m_flat = solidAbove ? *std::max_element(heights.begin(), heights.end()) + depth
+                        : *std::min_element(heights.begin(), heights.end()) - depth;
+  }
+
+  static std::unique_ptr<Primitive> read(maps::StrictSection& section)
+  {
+    Lattice lattice = readLattice(section);
+    require(section, "solid", "below or above");
+    int solid = 0;
+    section.readChoice("solid", {"below", "above"}, solid);
+    const double depth = section.has("depth") ? readPositive(section, "depth") : 1.0;
+    const Relief relief = Relief::read(section);
+    const Tunnels tunnels = Tunnels::read(section);
+    if (!tunnels.empty() && solid == 0) section.fail("solid", "above for tunnels (arch_1 ...)");
+    const double wallBottom = tunnels.empty() ? 0 : readNumber(section, "wallBottom");
+
+    for (std::size_t j = 0; j <= lattice.squaresY(); ++j)
+      for (std::size_t i = 0; i <= lattice.squaresX(); ++i)
+      {
+        double height = relief.heightAt(lattice.x(i), lattice.y(j));
+        if (!tunnels.empty())
+        {
+          const double vault = tunnels.vaultAt({lattice.x(i), lattice.y(j)});
+          height = vault > 0 ? height + vault : wallBottom;
+        }
+        lattice.height(i, j) = static_cast<float>(height);
+      }
+    return std::make_unique<HeightField>(std::move(lattice), solid == 1, depth);
+  }
+
+  Footprint footprint() const override { return m_lattice.area(); }
+
+  void appendMesh(Mesh& mesh) const override
+  {
+    Faces faces(m_lattice, mesh);
+    faces.surface();
+    faces.sides(m_flat);
+    faces.flatFace(m_flat);
+  }
+
+  void appendSolids(double x, double y, std::vector<Solid>& solids) const override
+  {
+    if (!m_lattice.contains(x, y)) return;
+    const auto [height, slope] = m_lattice.at(x, y);
+    if (m_solidAbove)
+      solids.push_back({height, m_flat, 0});
+    else
+      solids.push_back({m_flat, height, slope});
+  }
+
+ private:
+  static Lattice readLattice(maps::StrictSection& section)
+  {
+    const auto min = readPoint2D(section, "min"), max = readPoint2D(section, "max");
+    if (!(min.x < max.x && min.y < max.y)) section.fail("max", "above min in x and y");
+    const double cell = readPositive(section, "cell");
+    if ((max.x - min.x) / cell * ((max.y - min.y) / cell) > kMostPoints)
+      section.fail("cell", "so large that the field has at most 2e7 points");
+    return {{min.x, min.y, max.x, max.y}, cell};
+  }
+
+  Lattice m_lattice;
+  bool m_solidAbove;
+  double m_flat;
+};
+
+const PrimitiveKind kKind("heightField", HeightField::read);
+}  // namespace
+}  // namespace mrpt_mapconv::sim

@@ -1,0 +1,100 @@
+#include <gtest/gtest.h>
+#include <mrpt/config/CConfigFileMemory.h>
+#include <mrpt_mapconv/sim/MapScore.h>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace
+{
+using namespace mrpt_mapconv;
+using grid::GridFrame;
+using grid::Layer;
+using sim::CellMask;
+
+constexpr float F = 0, O = 1, U = -1;
+const float kNaN = std::nanf("");
+
+Layer<float> row(std::vector<float> cells, std::int32_t x0 = 0)
+{
+  Layer<float> layer(GridFrame{0.5, x0, 0, static_cast<std::int32_t>(cells.size()), 1}, 0);
+  layer.cells() = std::move(cells);
+  return layer;
+}
+
+CellMask mask(const Layer<float>& like) { return {like.frame(), 1}; }
+
+TEST(MapScore, CountsByHand)
+{
+  const auto truth = row({F, F, F, O, O, O, U});
+  const auto map = row({F, O, U, O, F, U, F});
+  const auto score = sim::scoreOccupancy(map, truth, mask(truth));
+  EXPECT_EQ(score.free.right, 1u);   // cell 0
+  EXPECT_EQ(score.free.wrong, 1u);   // cell 4
+  EXPECT_EQ(score.free.missed, 2u);  // cells 1, 2
+  EXPECT_EQ(score.occupied.right, 1u);
+  EXPECT_EQ(score.occupied.wrong, 1u);
+  EXPECT_EQ(score.occupied.missed, 2u);
+  EXPECT_DOUBLE_EQ(score.free.precision(), 0.5);
+  EXPECT_DOUBLE_EQ(score.free.recall(), 1.0 / 3);
+}
+
+TEST(MapScore, OnlyJudgedCellsCount)
+{
+  const auto truth = row({F, F, O});
+  CellMask judged = mask(truth);
+  judged.cells() = {0, 1, 0};
+  const auto score = sim::scoreOccupancy(row({O, F, F}), truth, judged);
+  EXPECT_EQ(score.free.right, 1u);
+  EXPECT_EQ(score.free.wrong + score.free.missed, 0u);
+  EXPECT_TRUE(std::isnan(score.occupied.recall()));
+}
+
+TEST(MapScore, FramesMayDiffer)
+{
+  const auto truth = row({F, F, O}, 10);
+  const auto map =
+      row({O, F, O}, 9);  // its cells 1, 2 lie on the truth's 0, 1; the last is missing
+  const auto score = sim::scoreOccupancy(map, truth, mask(truth));
+  EXPECT_EQ(score.free.right, 1u);
+  EXPECT_EQ(score.occupied.wrong, 1u);
+  EXPECT_EQ(score.occupied.missed, 1u);
+}
+
+TEST(MapScore, ResolutionsMustAgree)
+{
+  auto other = row({F});
+  const Layer<float> coarse(GridFrame{1.0, 0, 0, 1, 1}, 0);
+  EXPECT_THROW(sim::scoreOccupancy(other, coarse, mask(coarse)), std::invalid_argument);
+}
+
+TEST(MapScore, WithinOneCell)
+{
+  const auto truth = row({F, F, F, O, F, F, F});
+  EXPECT_DOUBLE_EQ(sim::shareRightWithinOneCell(row({F, F, F, F, O, F, F}), truth, mask(truth)),
+                   1.0);
+  EXPECT_DOUBLE_EQ(sim::shareRightWithinOneCell(row({F, F, F, F, F, O, F}), truth, mask(truth)),
+                   6.0 / 7);
+  EXPECT_DOUBLE_EQ(sim::shareRightWithinOneCell(row({U, U, U, U, U, U, U}), truth, mask(truth)),
+                   0.0);
+}
+
+TEST(MapScore, RmseByHand)
+{
+  const auto error = sim::rmse(row({1, 2, kNaN, 5}), row({1, 5, 3, kNaN}), mask(row({0, 0, 0, 0})));
+  EXPECT_EQ(error.cells, 2u);
+  EXPECT_DOUBLE_EQ(error.value, std::sqrt(9.0 / 2));
+}
+
+TEST(MapScore, CellsOfNamedBodies)
+{
+  mrpt::config::CConfigFileMemory ini;
+  ini.setContent(
+      std::string("[world]\nbounds = 0 0 -1 4 1 3\n"
+                  "[box.floor]\nmin = 0 0 -1\nmax = 4 1 0\n"
+                  "[box.lowWall_1]\nmin = 1 0 0\nmax = 2 1 0.4\n"));
+  const auto world = sim::World::fromIni(ini, {});
+  const auto cells = sim::cellsOf(world, {"lowWall"}, {0.5, 0, 0, 8, 1});
+  EXPECT_EQ(cells.cells(), (std::vector<std::uint8_t>{0, 0, 1, 1, 0, 0, 0, 0}));
+}
+}  // namespace
