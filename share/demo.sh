@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The one demo command: installs packages, builds, converts maps and says where the pictures are.
-#   share/demo.sh            real scans that Debian ships, and a generated building
+#   share/demo.sh            a simulated building, mapped, planned in and lifted to 3D; real scans
 #   share/demo.sh MY.bt      your own map (.bt, .ot, .simplemap, .rawlog) [and flags of mapconv convert]
 # Results go to ./mapconv-demo (or to $MRPT_MAPCONV_DEMO).
 set -euo pipefail
@@ -11,7 +11,7 @@ case "${1:-}" in -h | --help)
 esac
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 build=${MRPT_MAPCONV_BUILD:-$root/build}
-out=${MRPT_MAPCONV_DEMO:-$PWD/mapconv-demo}
+out=$(realpath -m "${MRPT_MAPCONV_DEMO:-mapconv-demo}")
 data=/usr/share/mrpt/datasets
 
 "$root/share/setup.sh"
@@ -31,12 +31,38 @@ convert() { # NAME INPUT FLAGS…
   made+=("$out/$name")
 }
 
+simulated_building() {
+  local dir=$out/building
+  echo
+  echo "== building: a simulated robot with a 2D scanner and a lidar"
+  "$mapconv" simulate "$root/config/worlds/building.ini" -o "$dir/run"
+  made+=("$dir/run")
+
+  echo
+  echo "== building: its log in MRPT's own icp-slam, with our map (half a minute)"
+  mkdir -p "$dir/icp-slam"
+  (cd "$dir/icp-slam" &&
+    "$mapconv" run -- icp-slam "$root/config/icp-slam.ini" "$dir/run/scans.rawlog" </dev/null >icp-slam.log 2>&1) ||
+    { tail -n 5 "$dir/icp-slam/icp-slam.log" >&2; exit 1; }
+  made+=("$dir/icp-slam")
+
+  convert building/map "$dir/run/scans.simplemap" --min-clearance 0.8 --max-step 0.15 --max-slope 0.5
+
+  echo
+  echo "== building: paths"
+  local west=-2.5,1.5 east=5,-1.5
+  "$mapconv" plan "$dir/map" --robot ground --from "$west" --to "$east" --robot-radius 0.25 -o "$dir/paths/ground.csv"
+  "$mapconv" plan "$dir/map" --robot aerial --from "$west" --to "$east" --robot-radius 0.3 -o "$dir/paths/aerial.csv"
+  "$mapconv" lift "$dir/map" "$dir/paths/ground.csv" --robot aerial --safety-radius 0.2 --height-offset 1.2 \
+    -o "$dir/paths/ground_flown.csv"
+  made+=("$dir/paths")
+}
+
 if [ $# -gt 0 ]; then
   convert "own/$(basename -- "$1")" "$@"
 else
   mkdir -p "$out"
-  "$mapconv" sample-map building -o "$out/building.bt"
-  convert building "$out/building.bt" --max-step 0.1
+  simulated_building
   # one scan leaves gaps between its beams: coarse voxels and a low robot
   convert velodyne "$data/test_velodyne_VLP16.rawlog" --resolution 0.4 --min-clearance 0.4
   convert rgbd "$data/tests_rgbd.rawlog" --resolution 0.05 --min-clearance 0.3
@@ -45,5 +71,5 @@ echo
 echo "Pictures:"
 find "${made[@]}" -name '*.png' | sort
 echo "In 3D:"
-for dir in "${made[@]}"; do printf 'SceneViewer3D %q\n' "$dir/map.3Dscene"; done
+find "${made[@]}" -name '*.3Dscene' | sort | while read -r scene; do printf 'SceneViewer3D %q\n' "$scene"; done
 echo "The program: $mapconv (try: $mapconv --help)"

@@ -68,10 +68,19 @@ void insertPath(mrpt::opengl::COpenGLScene& scene, const path::LiftedPath& path,
   constexpr mrpt::img::TColor kPath{220, 20, 60}, kStart{255, 255, 255};
   auto lines = mrpt::opengl::CSetOfLines::Create();
   lines->setColor_u8(kPath);
-  lines->setLineWidth(5);
+  lines->setLineWidth(4);
   lines->setName("path");
-  for (std::size_t i = 1; i < path.points.size(); ++i)
-    lines->appendLine(path.points[i - 1].position, path.points[i].position);
+  // Most drivers draw lines one pixel wide: a bundle of them is seen better.
+  const double apart = 0.1 * resolution;
+  for (const mrpt::math::TPoint3D& offset : {mrpt::math::TPoint3D(0, 0, 0),
+                                             {apart, 0, 0},
+                                             {-apart, 0, 0},
+                                             {0, apart, 0},
+                                             {0, -apart, 0},
+                                             {0, 0, apart},
+                                             {0, 0, -apart}})
+    for (std::size_t i = 1; i < path.points.size(); ++i)
+      lines->appendLine(path.points[i - 1].position + offset, path.points[i].position + offset);
   scene.insert(lines);
   scene.insert(ball(path.points.front().position, 1.5 * resolution, kStart, "start"));
   scene.insert(ball(path.points.back().position, 1.5 * resolution, kPath, "goal"));

@@ -1,12 +1,15 @@
 // The fixed projection against its brute-force twin.
 #include <gtest/gtest.h>
+#include <mrpt_mapconv/freespace/Conversion.h>
 #include <mrpt_mapconv/freespace/FixedProjection.h>
+#include <mrpt_mapconv/grid/OccupancyCell.h>
 #include <mrpt_mapconv/voxel/OctreeSource.h>
 #include <octomap/octomap.h>
 
 #include <limits>
 
 #include "../oracle/DenseOracle.h"
+#include "MapEditor.h"
 #include "RandomMap.h"
 
 namespace
@@ -94,6 +97,34 @@ TEST(FixedProjection, DecimalHeightsLieOnFaces)
       SCOPED_TRACE("seed " + std::to_string(seed) + ", z " + std::to_string(z.zMin) + " to " +
                    std::to_string(z.zMax));
       EXPECT_TRUE(agrees(freespace::projectFixed(source, z.zMin, z.zMax, 1), map, z));
+    }
+  }
+}
+
+/** A layer that follows a changing map holds what a projection of the whole map gives, and nothing
+ * else. */
+TEST(FixedProjection, UpdatesEqualProjectionsOfTheWholeMap)
+{
+  for (unsigned seed = 1; seed <= 40 && !HasFailure(); ++seed)
+  {
+    Rng rng(seed);
+    MapEditor editor(rng, 0.1, pick(rng, -200, 200), pick(rng, -200, 200), -10);
+    const voxel::OctreeSource<octomap::OcTree> source(editor.tree());
+    const double zMin = chance(rng, 30) ? -kInfinity : pick(rng, -15, 15) * 0.1;
+    const double zMax = chance(rng, 30) ? kInfinity : zMin + 0.5;
+    grid::Layer<float> followed;
+    if (!(zMin < zMax)) continue;
+    freespace::updateFixed(source, voxel::ColumnSet::of(freespace::frameOf(source)), zMin, zMax,
+                           followed, 1);
+    for (int step = 1; step <= 20 && !HasFailure(); ++step)
+    {
+      freespace::updateFixed(source, editor.edit(), zMin, zMax, followed, 2);
+      SCOPED_TRACE("seed " + std::to_string(seed) + ", step " + std::to_string(step) + ": " +
+                   editor.lastEdit());
+      grid::Layer<float> whole;
+      if (source.bounds()) whole = freespace::projectFixed(source, zMin, zMax, 1);
+      EXPECT_EQ(followed.frame(), unite(followed.frame(), whole.frame()));
+      EXPECT_EQ(followed.cells(), whole.onFrame(followed.frame(), grid::kUnknown).cells());
     }
   }
 }

@@ -10,10 +10,10 @@
 #include <mrpt_mapconv/sim/Truth.h>
 #include <mrpt_mapconv/voxel/OctreeSource.h>
 
-#include <array>
-#include <functional>
 #include <limits>
 #include <stdexcept>
+
+#include "LeafProjection.h"
 
 namespace mapconv
 {
@@ -23,47 +23,74 @@ namespace
 {
 constexpr std::uint64_t kSeed = 1;
 
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+
 /** The 2D maps that follow the voxel map. */
 class FollowingMaps
 {
  public:
-  FollowingMaps(const freespace::ConversionParams& params, double sliceMin, double sliceMax)
-      : m_layers(params, 1), m_sliceMin(sliceMin), m_sliceMax(sliceMax)
+  FollowingMaps(const octomap::OcTree& tree, const freespace::ConversionParams& params,
+                double sliceMin, double sliceMax)
+      : m_tree(tree),
+        m_source(tree),
+        m_layers(params, 1),
+        m_sliceMin(sliceMin),
+        m_sliceMax(sliceMax)
   {
   }
 
-  UpdateCost update(const voxel::VoxelSource& source, const voxel::ColumnSet& changed)
+  UpdateCost update(const voxel::ColumnSet& changed)
   {
-    constexpr double kInfinite = std::numeric_limits<double>::infinity();
     UpdateCost cost;
     cost.changedColumns = changed.size();
-    const std::array<std::function<void()>, 3> methods = {
-        [&] { cost.full = timed([&] { m_layers.update(source, changed); }); },
-        [&]
-        {
-          cost.slice = timed(
-              [&] { freespace::updateFixed(source, changed, m_sliceMin, m_sliceMax, m_slice, 1); });
-        },
-        [&]
-        {
-          cost.wholeHeight = timed(
-              [&] { freespace::updateFixed(source, changed, -kInfinite, kInfinite, m_whole, 1); });
-        }};
-    for (std::size_t i = 0; i < methods.size(); ++i) methods[(i + m_first) % methods.size()]();
+    for (std::size_t i = 0; i < kMethods; ++i)
+    {
+      const std::size_t method = (i + m_first) % kMethods;
+      Stopwatch watch;
+      update(static_cast<Method>(method), changed);
+      cost.ms[method] = 1e3 * watch.lap();
+    }
     ++m_first;
     return cost;
   }
 
  private:
-  static double timed(const std::function<void()>& work)
+  void update(Method method, const voxel::ColumnSet& changed)
   {
-    Stopwatch watch;
-    work();
-    return 1e3 * watch.lap();
+    switch (method)
+    {
+      case Method::FreeSpace:
+        m_layers.update(m_source, changed);
+        break;
+      case Method::Slice:
+        freespace::updateFixed(m_source, changed, m_sliceMin, m_sliceMax, m_slice, 1);
+        break;
+      case Method::WholeHeight:
+        freespace::updateFixed(m_source, changed, -kInfinite, kInfinite, m_whole, 1);
+        break;
+      case Method::SliceByLeaves:
+        updateByLeaves(changed, m_sliceMin, m_sliceMax, m_sliceByLeaves);
+        break;
+      case Method::WholeHeightByLeaves:
+        updateByLeaves(changed, -kInfinite, kInfinite, m_wholeByLeaves);
+        break;
+    }
   }
 
+  /** OctoMap's server updates the rectangle around what has changed. */
+  void updateByLeaves(const voxel::ColumnSet& changed, double zMin, double zMax,
+                      grid::Layer<float>& layer) const
+  {
+    const grid::GridFrame cells = changed.bounds(m_tree.getResolution());
+    const grid::GridFrame frame = freespace::grownFrame(layer.frame(), cells);
+    if (frame != layer.frame()) layer = layer.onFrame(frame, grid::kUnknown);
+    projectByLeaves(m_tree, zMin, zMax, cells, layer);
+  }
+
+  const octomap::OcTree& m_tree;
+  voxel::OctreeSource<octomap::OcTree> m_source;
   freespace::IncrementalLayers m_layers;
-  grid::Layer<float> m_slice, m_whole;
+  grid::Layer<float> m_slice, m_whole, m_sliceByLeaves, m_wholeByLeaves;
   double m_sliceMin, m_sliceMax;
   std::size_t m_first = 0;
 };
@@ -99,16 +126,15 @@ Exploration explore(const sim::Scenario& scenario, const FreespaceWorld& world,
   run.tree = std::make_unique<octomap::OcTree>(world.resolution);
   run.inView = grid::Layer<float>(sim::frameOf(scenario.world, world.resolution), 0);
   run.startHeight = sensorHeight(scenario);
-  FollowingMaps maps(settings.conversion, run.startHeight - world.sliceBelow,
+  FollowingMaps maps(*run.tree, settings.conversion, run.startHeight - world.sliceBelow,
                      run.startHeight + world.sliceAbove);
-  const voxel::OctreeSource<octomap::OcTree> source(*run.tree);
   sim::Simulator simulator(scenario, kSeed);
   while (const auto moment = simulator.next())
   {
     progress.done(moment->seconds / scenario.trajectory.duration());
     sim::countReturns(*moment, run.inView);
     const auto changed = insertScans(*moment, run);
-    if (!changed.empty()) run.updates.push_back(maps.update(source, changed));
+    if (!changed.empty()) run.updates.push_back(maps.update(changed));
     if (settings.maxScans > 0 && run.scans >= static_cast<std::size_t>(settings.maxScans)) break;
   }
   return run;

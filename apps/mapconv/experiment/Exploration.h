@@ -4,6 +4,7 @@
 #include <mrpt_mapconv/sim/Scenario.h>
 #include <octomap/OcTree.h>
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -12,13 +13,26 @@
 
 namespace mapconv
 {
-/** What it cost to bring 2D maps up to date after a moment's scans. */
+/** The ways to make a 2D map that are compared. */
+enum class Method
+{
+  FreeSpace,      //!< floor, ceiling, slope and both occupancies
+  Slice,          //!< fixed projection of the slice
+  WholeHeight,    //!< fixed projection of the whole height
+  SliceByLeaves,  //!< the same two as OctoMap's server makes them
+  WholeHeightByLeaves
+};
+constexpr std::size_t kMethods = 5;
+
+/** A value for each method. */
+template <class Value>
+using PerMethod = std::array<Value, kMethods>;
+
+/** What it cost to bring the 2D maps up to date after a moment's scans. */
 struct UpdateCost
 {
   std::size_t changedColumns = 0;
-  double full = 0;         //!< floor, ceiling, slope and both occupancies [ms]
-  double slice = 0;        //!< fixed projection of the slice [ms]
-  double wholeHeight = 0;  //!< fixed projection of the whole height [ms]
+  PerMethod<double> ms{};
 };
 
 /** A run through a world in which the voxel map grows scan by scan. */

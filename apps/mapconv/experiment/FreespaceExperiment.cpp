@@ -2,6 +2,8 @@
 #include <mrpt_mapconv/grid/LayerPicture.h>
 #include <mrpt_mapconv/maps/LayerFiles.h>
 
+#include <stdexcept>
+
 #include "Experiments.h"
 #include "FreespaceResult.h"
 
@@ -11,6 +13,21 @@ using namespace mrpt_mapconv;
 
 namespace
 {
+/** \exception std::runtime_error for a name with which no body of the world begins */
+void checkNames(const std::vector<std::string>& names, const sim::World& bodies,
+                const FreespaceWorld& world, const std::string& key)
+{
+  for (const std::string& start : names)
+  {
+    bool any = false;
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+      any |= bodies.name(i).substr(bodies.name(i).find('.') + 1).rfind(start, 0) == 0;
+    if (!any)
+      throw std::runtime_error("section '" + world.name + "': " + key + ": no body of " +
+                               world.file + " has a name that begins with '" + start + "'");
+  }
+}
+
 FreespaceResult resultOf(const FreespaceWorld& world, const FreespaceSettings& settings,
                          Progress& progress)
 {
@@ -18,6 +35,8 @@ FreespaceResult resultOf(const FreespaceWorld& world, const FreespaceSettings& s
   result.world = world;
   progress.stage("reading " + world.file);
   result.scenario = std::make_shared<const sim::Scenario>(sim::Scenario::load(world.file));
+  checkNames(world.lowWalls, result.scenario->world, world, "lowWalls");
+  checkNames(world.objects, result.scenario->world, world, "objects");
   progress.stage("exploring " + world.name);
   result.run = explore(*result.scenario, world, settings, progress);
   progress.stage("converting " + world.name);

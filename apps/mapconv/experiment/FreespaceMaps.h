@@ -10,10 +10,7 @@
 namespace mapconv
 {
 /** Milliseconds of each repetition of a conversion of the whole map, on one thread. */
-struct FullCosts
-{
-  std::vector<double> full, slice, wholeHeight;
-};
+using FullCosts = PerMethod<std::vector<double>>;
 
 /** The 2D maps of a finished voxel map, and the truth. */
 struct FreespaceMaps

@@ -28,14 +28,6 @@ std::vector<std::string> readWords(StrictSection& section, const std::string& ke
   return words(text);
 }
 
-void refuseUnknownKeys(const StrictSection& section)
-{
-  const auto unknown = section.unknownKeys();
-  if (!unknown.empty())
-    throw std::runtime_error("section '" + section.name() + "': there is no key '" +
-                             unknown.front() + "'");
-}
-
 ConversionParams readConversion(const ExperimentJob& job, const std::string& name)
 {
   ConversionParams params;
@@ -45,7 +37,7 @@ ConversionParams readConversion(const ExperimentJob& job, const std::string& nam
   section.read("slopeWindow", params.slopeWindow);
   section.read("maxSlope", params.maxSlope);
   section.read("maxStep", params.maxStep);
-  refuseUnknownKeys(section);
+  section.refuseUnknown("a conversion");
   params.check();
   return params;
 }
@@ -77,7 +69,7 @@ FreespaceWorld readWorld(const ExperimentJob& job, const std::string& name)
   section.read("paperPartialRatio", world.paper.partialRatio);
   section.read("paperSizes", world.paper.sizes);
   if (world.paper.sizes.size() != 3) section.fail("paperSizes", "three percentages");
-  refuseUnknownKeys(section);
+  section.refuseUnknown("a world of this experiment");
   return world;
 }
 }  // namespace
@@ -95,7 +87,7 @@ FreespaceSettings readFreespaceSettings(const ExperimentJob& job)
   if (settings.pairs < 0) section.fail("pairs", ">= 0");
   section.read("maxScans", settings.maxScans);
   if (settings.maxScans < 0) section.fail("maxScans", ">= 0 (0: all)");
-  refuseUnknownKeys(section);
+  section.refuseUnknown("this experiment");
   settings.conversion = readConversion(job, "conversion");
   settings.strictConversion = readConversion(job, "strictConversion");
   for (const std::string& name : worlds) settings.worlds.push_back(readWorld(job, name));

@@ -69,14 +69,27 @@ std::string withinVoxel(const std::vector<double>& errors, double resolution)
   return percent(static_cast<double>(within) / static_cast<double>(errors.size()));
 }
 
+constexpr float kJudgedSlope = 2;  // the paper's steepest slope for a robot
+
+sim::CellMask cellsUpTo(const grid::Layer<float>& layer, float most)
+{
+  sim::CellMask mask(layer.frame(), 0);
+  for (std::size_t i = 0; i < mask.cells().size(); ++i) mask.cells()[i] = layer.cells()[i] <= most;
+  return mask;
+}
+
 void addErrors(const FreespaceResult& result, Table& table)
 {
+  // the rim of a sphere has a true slope of any size: no window can follow that
+  const auto& maps = result.maps;
+  const auto gentle = sim::both(maps.seen, cellsUpTo(maps.truth.slope, kJudgedSlope));
   const auto add = [&](const char* layer, const auto& map, const auto& truth, bool metres)
   {
-    auto errors = sim::errorsOf(map, truth, result.maps.seen);
+    const auto& judged = metres ? maps.seen : gentle;
+    auto errors = sim::errorsOf(map, truth, judged);
     const auto within = metres ? withinVoxel(errors, result.world.resolution) : std::string("-");
     for (double& error : errors) error = std::abs(error);
-    const auto rmse = sim::rmse(map, truth, result.maps.seen);
+    const auto rmse = sim::rmse(map, truth, judged);
     table.addRow({result.world.name, layer, fixed(rmse.value, 3), fixed(spreadOf(errors).median, 3),
                   within, std::to_string(rmse.cells)});
   };
@@ -104,11 +117,14 @@ void addQuality(const std::vector<FreespaceResult>& results, Report& report)
   }
   table.note =
       "The truth is evaluated at cell centres from the geometry: a ground robot may stand on "
-      "slopes up to truthSlope without a jump above truthStep within half a cell. Found: cells of "
+      "slopes up to 0.5 without a jump above 0.1 m within half a cell, if the world's [truth] does "
+      "not "
+      "say otherwise. Found: cells of "
       "such bodies that are occupied in the map. The last column counts all truly free cells of "
       "the world, seen or not.";
   report.addHeading("Quality");
   report.addTable(table);
+  errors.note = "Slopes are judged where the true one is at most 2.";
   report.addTable(errors);
 }
 

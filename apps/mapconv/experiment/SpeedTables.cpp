@@ -1,7 +1,6 @@
 #include <mrpt/core/format.h>
 
 #include <algorithm>
-#include <functional>
 #include <sstream>
 
 #include "FreespaceResult.h"
@@ -11,30 +10,23 @@ namespace mapconv
 {
 namespace
 {
-struct Method
-{
-  std::string name;
-  std::function<std::vector<double>(const FullCosts&)> full;
-  std::function<double(const UpdateCost&)> update;
-};
+const PerMethod<const char*> kNames = {"free-space projection, all layers",
+                                       "fixed projection of the slice, ours",
+                                       "fixed projection of the whole height, ours",
+                                       "fixed projection of the slice, OctoMap's iterator",
+                                       "fixed projection of the whole height, OctoMap's iterator"};
 
-const std::vector<Method>& methods()
-{
-  static const std::vector<Method> all = {
-      {"free-space projection, all layers", [](const FullCosts& c) { return c.full; },
-       [](const UpdateCost& c) { return c.full; }},
-      {"fixed projection of the slice", [](const FullCosts& c) { return c.slice; },
-       [](const UpdateCost& c) { return c.slice; }},
-      {"fixed projection of the whole height", [](const FullCosts& c) { return c.wholeHeight; },
-       [](const UpdateCost& c) { return c.wholeHeight; }}};
-  return all;
-}
-
-std::vector<double> updatesOf(const FreespaceResult& result, const Method& method)
+std::vector<double> updatesOf(const FreespaceResult& result, std::size_t method)
 {
   std::vector<double> values;
-  for (const UpdateCost& cost : result.run.updates) values.push_back(method.update(cost));
+  for (const UpdateCost& cost : result.run.updates) values.push_back(cost.ms[method]);
   return values;
+}
+
+bool isSlice(std::size_t method)
+{
+  return method == static_cast<std::size_t>(Method::Slice) ||
+         method == static_cast<std::size_t>(Method::SliceByLeaves);
 }
 
 /** "1.25 (paper 2.4)" for free-space against the slice. */
@@ -52,15 +44,14 @@ Table fullTable(const std::vector<FreespaceResult>& results)
               {}};
   for (const auto& result : results)
   {
-    const double ours = spreadOf(result.maps.costs.full).median;
-    for (const Method& method : methods())
+    const double ours = spreadOf(result.maps.costs[0]).median;
+    for (std::size_t method = 0; method < kMethods; ++method)
     {
-      const Spread spread = spreadOf(method.full(result.maps.costs));
-      const bool isSlice = &method == &methods()[1];
-      const double paper = isSlice ? result.world.paper.fullRatio : 0;
-      table.addRow({result.world.name, method.name, fixed(spread.median, 2), fixed(spread.mean, 2),
-                    fixed(spread.most, 2),
-                    &method == &methods()[0] ? "1" : ratioText(ours, spread.median, paper)});
+      const Spread spread = spreadOf(result.maps.costs[method]);
+      const double paper = isSlice(method) ? result.world.paper.fullRatio : 0;
+      table.addRow({result.world.name, kNames[method], fixed(spread.median, 2),
+                    fixed(spread.mean, 2), fixed(spread.most, 2),
+                    method == 0 ? "1" : ratioText(ours, spread.median, paper)});
     }
   }
   table.note =
@@ -79,17 +70,17 @@ Table updateTable(const std::vector<FreespaceResult>& results)
               {}};
   for (const auto& result : results)
   {
-    const double ours = spreadOf(updatesOf(result, methods()[0])).median;
-    for (const Method& method : methods())
+    const double ours = spreadOf(updatesOf(result, 0)).median;
+    for (std::size_t method = 0; method < kMethods; ++method)
     {
       const auto values = updatesOf(result, method);
       const Spread spread = spreadOf(values);
-      const double paper = &method == &methods()[1] ? result.world.paper.partialRatio : 0;
-      table.addRow({result.world.name, method.name, std::to_string(values.size()),
+      const double paper = isSlice(method) ? result.world.paper.partialRatio : 0;
+      table.addRow({result.world.name, kNames[method], std::to_string(values.size()),
                     fixed(spread.median, 2), fixed(spread.mean, 2),
                     fixed(spread.lowerQuartile, 2) + " to " + fixed(spread.upperQuartile, 2),
                     fixed(spread.most, 2),
-                    &method == &methods()[0] ? "1" : ratioText(ours, spread.median, paper)});
+                    method == 0 ? "1" : ratioText(ours, spread.median, paper)});
     }
   }
   table.note =
@@ -108,10 +99,10 @@ Table columnTable(const std::vector<FreespaceResult>& results)
   for (const auto& result : results)
   {
     const auto columns = static_cast<double>(result.maps.layers.frame().size());
-    const double full = 1e3 * spreadOf(result.maps.costs.full).median / columns;
+    const double full = 1e3 * spreadOf(result.maps.costs[0]).median / columns;
     std::vector<double> perColumn;
     for (const UpdateCost& cost : result.run.updates)
-      perColumn.push_back(1e3 * std::max(0.0, cost.full - 1.0) /
+      perColumn.push_back(1e3 * std::max(0.0, cost.ms[0] - 1.0) /
                           static_cast<double>(cost.changedColumns));
     std::sort(perColumn.begin(), perColumn.end());
     const auto over = std::count_if(perColumn.begin(), perColumn.end(),
@@ -134,8 +125,11 @@ std::string updateData(const std::vector<FreespaceResult>& results)
   {
     data << "$w" << i << " << EOD\n";
     for (const UpdateCost& cost : results[i].run.updates)
-      data << cost.changedColumns << ' ' << cost.full << ' ' << cost.slice << ' '
-           << cost.wholeHeight << '\n';
+    {
+      data << cost.changedColumns;
+      for (const double ms : cost.ms) data << ' ' << ms;
+      data << '\n';
+    }
     data << "EOD\n";
   }
   return data.str();
@@ -150,10 +144,13 @@ std::string boxPlot(const std::vector<FreespaceResult>& results)
          << "set pointsize 0.3\nset multiplot layout 1," << results.size() << "\n";
   for (std::size_t i = 0; i < results.size(); ++i)
     script << "set title '" << results[i].world.name
-           << "'\nset xtics ('free-space' 1, 'slice' 2, 'whole height' 3) scale 0\n"
+           << "'\nset xtics ('free-space' 1, 'slice' 2, 'whole' 3, 'slice, OctoMap' 4, 'whole, "
+              "OctoMap' 5) scale 0 rotate by -30\n"
            << "plot $w" << i << " using (1):2 with boxplot lc rgb '#0072b2', $w" << i
            << " using (2):3 with boxplot lc rgb '#e69f00', $w" << i
-           << " using (3):4 with boxplot lc rgb '#999999'\n";
+           << " using (3):4 with boxplot lc rgb '#999999', $w" << i
+           << " using (4):5 with boxplot lc rgb '#e69f00', $w" << i
+           << " using (5):6 with boxplot lc rgb '#999999'\n";
   script << "unset multiplot\n";
   return script.str();
 }

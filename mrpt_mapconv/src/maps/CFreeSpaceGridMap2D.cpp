@@ -1,3 +1,5 @@
+#include <mrpt/system/CTicTac.h>
+#include <mrpt/system/CTimeLogger.h>
 #include <mrpt_mapconv/grid/GridMap.h>
 #include <mrpt_mapconv/maps/CFreeSpaceGridMap2D.h>
 #include <mrpt_mapconv/maps/OctoMapAccess.h>
@@ -26,6 +28,15 @@ double checkedResolution(double resolution)
           << coarsest << "] m";
   throw std::invalid_argument(message.str());
 }
+
+mrpt::system::CTimeLogger& timesOf(std::unique_ptr<mrpt::system::CTimeLogger>& times)
+{
+  constexpr bool enabled = true, wholeHistory = true;
+  if (!times)
+    times =
+        std::make_unique<mrpt::system::CTimeLogger>(enabled, "CFreeSpaceGridMap2D", wholeHistory);
+  return *times;
+}
 }  // namespace
 
 CFreeSpaceGridMap2D::CFreeSpaceGridMap2D(double resolution)
@@ -37,7 +48,10 @@ CFreeSpaceGridMap2D::CFreeSpaceGridMap2D(double resolution)
   showAllCells();
 }
 
-CFreeSpaceGridMap2D::~CFreeSpaceGridMap2D() = default;
+CFreeSpaceGridMap2D::~CFreeSpaceGridMap2D()
+{
+  if (m_times) m_times->clear(true);  // or MRPT prints it
+}
 
 CFreeSpaceGridMap2D::CFreeSpaceGridMap2D(const CFreeSpaceGridMap2D& o)
     : Base(o),
@@ -48,7 +62,8 @@ CFreeSpaceGridMap2D::CFreeSpaceGridMap2D(const CFreeSpaceGridMap2D& o)
       m_conversion(o.m_conversion),
       m_octree(std::make_unique<octomap::OcTree>(*o.m_octree)),
       m_layers(o.m_layers),
-      m_pending(o.m_pending)
+      m_pending(o.m_pending),
+      m_sawFree(o.m_sawFree)
 {
 }
 
@@ -63,6 +78,7 @@ CFreeSpaceGridMap2D& CFreeSpaceGridMap2D::operator=(const CFreeSpaceGridMap2D& o
   m_octree = std::move(octree);
   m_layers = o.m_layers;
   m_pending = o.m_pending;
+  m_sawFree = o.m_sawFree;
   return *this;
 }
 
@@ -73,6 +89,7 @@ void CFreeSpaceGridMap2D::setConversionOptions(const maps::TConversionOptions& o
     layers.rebuild(Source(*m_octree), m_layers.layers().frame());
   m_conversion = options;
   m_layers = std::move(layers);
+  m_sawFree = false;
   showAllCells();
   warnIfNothingIsFree();
 }
@@ -122,6 +139,7 @@ void CFreeSpaceGridMap2D::takeOctree(std::unique_ptr<octomap::OcTree> tree)
   m_octree = std::move(tree);
   m_layers = std::move(layers);
   m_pending.clear();
+  m_sawFree = false;
   showAllCells();
   warnIfNothingIsFree();
 }
@@ -131,6 +149,7 @@ void CFreeSpaceGridMap2D::internal_clear()
   m_octree->clear();
   m_layers = freespace::IncrementalLayers(m_conversion.params);
   m_pending.clear();
+  m_sawFree = false;
   showAllCells();
 }
 
@@ -140,6 +159,7 @@ bool CFreeSpaceGridMap2D::internal_insertObservation(
   if (!maps::isScan(obs)) return false;
   if (!maps::is3DScan(obs) && !voxelInsertionOptions.insert2D) return false;
   voxelInsertionOptions.check();
+  const mrpt::system::CTicTac watch;
   const auto scan =
       maps::sensorPoints(obs, robotPose.value_or(mrpt::poses::CPose3D()), &m_warnings);
   if (!scan || scan->points.empty()) return false;
@@ -149,28 +169,48 @@ bool CFreeSpaceGridMap2D::internal_insertObservation(
       unite(m_layers.layers().frame(), maps::frameOfScan(*m_octree, *scan, voxelInsertionOptions));
   freespace::checkFrameSize(needed);
   grid::checkGridMapFrame(needed);
+  const double prepared = watch.Tac();
   m_pending.insert(maps::insertScan(*m_octree, *scan, voxelInsertionOptions, &m_warnings));
-  followOctree();
+  const double inserted = watch.Tac();
+  const std::size_t columns = m_pending.size();
+  const bool laidOut = followOctree();
   warnIfNothingIsFree();
+  const double shown = watch.Tac();
+
+  auto& times = timesOf(m_times);
+  times.registerUserMeasure("insert", shown, true);
+  times.registerUserMeasure("insert.voxels", inserted - prepared, true);
+  times.registerUserMeasure("insert.layers", shown - inserted, true);
+  times.registerUserMeasure("insert.columns", static_cast<double>(columns));
+  times.registerUserMeasure("insert.laidOut", laidOut ? 1 : 0);
   return true;
 }
 
-/** Converts the pending columns. Should it fail, for want of memory say, they stay pending. */
-void CFreeSpaceGridMap2D::followOctree()
+/** Converts the pending columns. Should it fail, for want of memory say, they stay pending.
+ * \return true if everything was laid out anew */
+bool CFreeSpaceGridMap2D::followOctree()
 {
-  const bool laidOutAnew = m_layers.update(Source(*m_octree), m_pending);
-  if (laidOutAnew || !gridFitsLayers())
+  const bool laidOut = m_layers.update(Source(*m_octree), m_pending) || !gridFitsLayers();
+  if (laidOut)
     showAllCells();
   else
     showCells(freespace::columnsDependingOn(m_pending, m_conversion.params));
   m_pending.clear();
+  return laidOut;
+}
+
+const mrpt::system::CTimeLogger& CFreeSpaceGridMap2D::insertionTimes() const
+{
+  return timesOf(m_times);
 }
 
 /** An entirely unknown map is most often one whose scans leave gaps between their beams. */
 void CFreeSpaceGridMap2D::warnIfNothingIsFree()
 {
+  if (m_sawFree) return;
   const auto& aerial = m_layers.layers().aerial.cells();
-  if (aerial.empty() || std::any_of(aerial.begin(), aerial.end(), grid::isFree)) return;
+  m_sawFree = std::any_of(aerial.begin(), aerial.end(), grid::isFree);
+  if (m_sawFree || aerial.empty()) return;
   m_warnings.warnOnce(mrpt::format(
       "voxels are known, but no free range is minClearance = %g m high: all cells are unknown",
       m_conversion.params.minClearance));
@@ -192,6 +232,25 @@ bool CFreeSpaceGridMap2D::gridFitsLayers() const
          std::abs(getResolution() - frame.resolution) < 1e-6 * frame.resolution &&
          std::abs(getXMin() - frame.xMin()) < 0.5 * frame.resolution &&
          std::abs(getYMin() - frame.yMin()) < 0.5 * frame.resolution;
+}
+
+/** Lays the grid out anew if someone has resized it. A map without layers has nothing to lay out;
+ * its grid may hold what MRPT's particle filter has averaged into it. */
+void CFreeSpaceGridMap2D::restoreGrid() const
+{
+  if (m_layers.layers().frame().empty() || gridFitsLayers()) return;
+  // Only a map that is not const can have been resized.
+  const_cast<CFreeSpaceGridMap2D*>(this)->showAllCells();
+}
+
+void CFreeSpaceGridMap2D::determineMatching2D(const mrpt::maps::CMetricMap* otherMap,
+                                              const mrpt::poses::CPose2D& otherMapPose,
+                                              mrpt::tfest::TMatchingPairList& correspondences,
+                                              const mrpt::maps::TMatchingParams& params,
+                                              mrpt::maps::TMatchingExtraResults& extraResults) const
+{
+  restoreGrid();
+  Base::determineMatching2D(otherMap, otherMapPose, correspondences, params, extraResults);
 }
 
 void CFreeSpaceGridMap2D::showAllCells()

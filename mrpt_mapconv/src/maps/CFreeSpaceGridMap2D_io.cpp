@@ -1,3 +1,4 @@
+#include <mrpt/system/CTimeLogger.h>
 #include <mrpt_mapconv/grid/FileIo.h>
 #include <mrpt_mapconv/grid/OutputDir.h>
 #include <mrpt_mapconv/maps/CFreeSpaceGridMap2D.h>
@@ -81,6 +82,7 @@ void CFreeSpaceGridMap2D::serializeFrom(mrpt::serialization::CArchive& in, uint8
   m_octree = std::move(read.m_octree);
   m_layers = std::move(read.m_layers);
   m_pending.clear();
+  m_sawFree = false;
 }
 
 void CFreeSpaceGridMap2D::readOctree(mrpt::serialization::CArchive& in)
@@ -114,6 +116,7 @@ void CFreeSpaceGridMap2D::readOctree(mrpt::serialization::CArchive& in)
 
 void CFreeSpaceGridMap2D::saveMetricMapRepresentationToFile(const std::string& prefix) const
 {
+  restoreGrid();
   const std::filesystem::path whole(prefix);
   const auto name = whole.filename().string();
   grid::OutputDir out(whole.has_parent_path() ? whole.parent_path().string() : ".");
@@ -132,6 +135,7 @@ void CFreeSpaceGridMap2D::saveMetricMapRepresentationToFile(const std::string& p
     m_octree->write(octree);
     grid::writeFile(out.path(name + ".ot"), octree.str());
   }
+  if (m_times) m_times->saveToCSVFile(out.path(name + "_times.csv"));
   out.commit();
 }
 

@@ -162,6 +162,14 @@ std::vector<std::string> StrictSection::unknownKeys() const
   return keys;
 }
 
+void StrictSection::refuseUnknown(const std::string& owner) const
+{
+  const auto keys = unknownKeys();
+  if (keys.empty()) return;
+  throw std::runtime_error("section '" + m_section + "': '" + keys.front() + "' is not a key of " +
+                           owner + ": correct its name or take it out");
+}
+
 void StrictSection::warnUnknown() const
 {
   const auto keys = unknownKeys();

@@ -7,6 +7,8 @@
 #include <optional>
 #include <stdexcept>
 
+#include "BeamVoxels.h"
+
 namespace mrpt_mapconv::maps
 {
 namespace
@@ -122,7 +124,7 @@ voxel::ColumnSet insertScan(octomap::OcTree& tree, const SensorPoints& scan,
   const bool lazy = !options.pruning;  // a lazy insertion leaves the tree unpruned
   tree.enableChangeDetection(
       true);  // what an insertion that failed half way has changed stays noted
-  tree.insertPointCloud(cloud, origin, options.maxrange, lazy);
+  BeamVoxels(tree, cloud, origin, options.maxrange).insertInto(tree, lazy);
   if (lazy) tree.updateInnerOccupancy();
   auto changed = changedColumns(tree);
   // another threshold can change any voxel's state

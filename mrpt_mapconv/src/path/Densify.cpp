@@ -45,9 +45,10 @@ DensePath densify(const std::vector<mrpt::math::TPoint2D>& path, double spacing)
       if (static_cast<double>(dense.points.size()) + steps > kMaxPoints)
         throwTooLong(i, length, spacing);
       const double before = dense.arc.back();
-      for (double step = 1; step < steps; ++step)
+      const auto count = static_cast<std::size_t>(steps);
+      for (std::size_t step = 1; step < count; ++step)
       {
-        const double share = step / steps;
+        const double share = static_cast<double>(step) / steps;
         dense.points.push_back(
             pointAt(from.x + share * (to.x - from.x), from.y + share * (to.y - from.y), false));
         dense.arc.push_back(before + share * length);

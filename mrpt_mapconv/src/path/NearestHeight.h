@@ -9,7 +9,9 @@
 
 namespace mrpt_mapconv::path
 {
-constexpr double kHeightSlack = 1e-9;  //!< a bound is violated only by more than this [m]
+/** A bound is violated only by more than this [m]: layers hold heights as floats, so that a gap of
+ * exactly the sphere's diameter can seem a little lower. */
+constexpr double kHeightSlack = 1e-5;
 
 /** Heights bottom < z < top at which a sphere's centre may not be [m]. */
 struct ForbiddenHeights

@@ -8,6 +8,11 @@ namespace mrpt_mapconv::planning
 {
 namespace
 {
+struct CellPlace
+{
+  double x, y;  //!< [cells] from the mask's corner
+};
+
 /** A segment along its longer axis: its minor coordinate over its major one [cells]. */
 struct MajorSegment
 {
@@ -29,10 +34,10 @@ bool isClear(const CellMask& mask, const Waypoint& from, const Waypoint& to)
 
   constexpr double kTouch = 1e-6;  // of a cell: nearer than that counts as touched
   const grid::GridFrame& frame = mask.frame();
-  const auto inCells = [&](const mrpt::math::TPoint2D& p) -> mrpt::math::TPoint2D {
-    return {p.x / frame.resolution - frame.x0, p.y / frame.resolution - frame.y0};
+  const auto inCells = [&](const Waypoint& w) -> CellPlace {
+    return {w.point.x / frame.resolution - frame.x0, w.point.y / frame.resolution - frame.y0};
   };
-  auto a = inCells(from.point), b = inCells(to.point);
+  CellPlace a = inCells(from), b = inCells(to);
   const bool swapped = std::abs(b.y - a.y) > std::abs(b.x - a.x);
   if (swapped)
   {
@@ -75,7 +80,8 @@ std::vector<Waypoint> shortened(const CellMask& mask, const std::vector<Waypoint
 double length(const std::vector<Waypoint>& path)
 {
   double sum = 0;
-  for (std::size_t i = 1; i < path.size(); ++i) sum += (path[i].point - path[i - 1].point).norm();
+  for (std::size_t i = 1; i < path.size(); ++i)
+    sum += std::hypot(path[i].point.x - path[i - 1].point.x, path[i].point.y - path[i - 1].point.y);
   return sum;
 }
 

@@ -22,21 +22,6 @@ struct Releaser
 using Device = std::unique_ptr<RTCDeviceTy, Releaser>;
 using SceneHandle = std::unique_ptr<RTCSceneTy, Releaser>;
 
-/** What Embree holds of a primitive that is made of triangles. */
-struct Triangles
-{
-  const std::array<float, 3>* vertices = nullptr;
-  const std::array<std::uint32_t, 3>* corners = nullptr;
-};
-
-TPoint3D toDouble(const std::array<float, 3>& p) { return {p[0], p[1], p[2]}; }
-
-TVector3D cross(const TVector3D& a, const TVector3D& b)
-{
-  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
-}
-double dot(const TVector3D& a, const TVector3D& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
-
 TVector3D directionOf(const RTCRay& ray) { return {ray.dir_x, ray.dir_y, ray.dir_z}; }
 
 /** Embree hands out plain pointers: ours lead to a pointer to the surface, see attachCurved(). */
@@ -75,6 +60,19 @@ void meetCurved(const RTCIntersectFunctionNArguments* args)
   query.hit.geomID = args->geomID;
   query.hit.instID[0] = args->context->instID[0];
 }
+Hit hitOf(const RTCRayHit& answer)
+{
+  Hit hit;
+  hit.range = answer.ray.tfar;
+  hit.primitive = static_cast<std::int32_t>(answer.hit.geomID);
+  TVector3D normal(answer.hit.Ng_x, answer.hit.Ng_y, answer.hit.Ng_z);
+  const TVector3D direction = directionOf(answer.ray);
+  const double along = normal.x * direction.x + normal.y * direction.y + normal.z * direction.z;
+  normal *= (along > 0 ? -1 : 1) / normal.norm();
+  hit.normal = {static_cast<float>(normal.x), static_cast<float>(normal.y),
+                static_cast<float>(normal.z)};
+  return hit;
+}
 }  // namespace
 
 struct RayCaster::Scene
@@ -83,21 +81,19 @@ struct RayCaster::Scene
   void attachTriangles(unsigned id);
   void attachCurved(unsigned id);
   void attach(RTCGeometry geometry, unsigned id);
-  Hit hitOf(const RTCRayHit& answer) const;
 
   const World& world;
   Device device;
   SceneHandle scene;
-  std::vector<Triangles> triangles;          // by primitive; empty for curved ones
   std::vector<const CurvedSurface*> curved;  // by primitive; null for those of triangles
 };
 
-RayCaster::Scene::Scene(const World& w)
-    : world(w), device(rtcNewDevice(nullptr)), triangles(w.size()), curved(w.size())
+RayCaster::Scene::Scene(const World& w) : world(w), device(rtcNewDevice(nullptr)), curved(w.size())
 {
   if (!device) throw std::runtime_error("Embree does not start (no memory, or an old processor)");
   scene.reset(rtcNewScene(device.get()));
-  // so that no ray slips through an edge between two triangles
+  // so that no ray slips through an edge between two triangles, and for ranges that are right to
+  // 0.1 mm also where a ray meets a far floor under a small angle
   rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
   for (unsigned id = 0; id < w.size(); ++id)
   {
@@ -133,10 +129,9 @@ void RayCaster::Scene::attachTriangles(unsigned id)
     void* buffer = rtcSetNewGeometryBuffer(geometry, type, 0, format, sizeof(Item), items.size());
     if (!buffer) throw std::bad_alloc();
     std::copy(items.begin(), items.end(), static_cast<Item*>(buffer));
-    return static_cast<const Item*>(buffer);
   };
-  triangles[id].vertices = fill(RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, mesh.vertices);
-  triangles[id].corners = fill(RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, mesh.triangles);
+  fill(RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, mesh.vertices);
+  fill(RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, mesh.triangles);
   attach(geometry, id);
 }
 
@@ -148,33 +143,6 @@ void RayCaster::Scene::attachCurved(unsigned id)
   rtcSetGeometryBoundsFunction(geometry, curvedBounds, nullptr);
   rtcSetGeometryIntersectFunction(geometry, meetCurved);
   attach(geometry, id);
-}
-
-Hit RayCaster::Scene::hitOf(const RTCRayHit& answer) const
-{
-  const RTCRay& ray = answer.ray;
-  Hit hit;
-  hit.range = ray.tfar;
-  hit.primitive = static_cast<std::int32_t>(answer.hit.geomID);
-  TVector3D normal(answer.hit.Ng_x, answer.hit.Ng_y, answer.hit.Ng_z);
-  const TVector3D direction = directionOf(ray);
-  const Triangles& surface = triangles[answer.hit.geomID];
-  if (surface.vertices)
-  {
-    // Single precision is not enough where a ray meets a far face under a small angle: there the
-    // range is found again on the face's plane.
-    const auto& corners = surface.corners[answer.hit.primID];
-    const TPoint3D a = toDouble(surface.vertices[corners[0]]);
-    normal = cross(toDouble(surface.vertices[corners[1]]) - a,
-                   toDouble(surface.vertices[corners[2]]) - a);
-    const double range =
-        dot(normal, a - TPoint3D(ray.org_x, ray.org_y, ray.org_z)) / dot(normal, direction);
-    if (std::isfinite(range)) hit.range = std::max(ray.tnear, static_cast<float>(range));
-  }
-  normal *= (dot(normal, direction) > 0 ? -1 : 1) / normal.norm();
-  hit.normal = {static_cast<float>(normal.x), static_cast<float>(normal.y),
-                static_cast<float>(normal.z)};
-  return hit;
 }
 
 RayCaster::RayCaster(const World& world) : m_scene(std::make_unique<Scene>(world)) {}
@@ -198,7 +166,7 @@ Hit RayCaster::cast(const Ray& ray, float minRange, float maxRange) const
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
   rtcIntersect1(m_scene->scene.get(), &context, &query);
-  return query.hit.geomID == RTC_INVALID_GEOMETRY_ID ? Hit{} : m_scene->hitOf(query);
+  return query.hit.geomID == RTC_INVALID_GEOMETRY_ID ? Hit{} : hitOf(query);
 }
 
 void RayCaster::cast(const std::vector<Ray>& rays, float minRange, float maxRange,

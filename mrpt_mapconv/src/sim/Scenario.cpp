@@ -1,19 +1,12 @@
 #include <mrpt/config/CConfigFileMemory.h>
-#include <mrpt_mapconv/grid/FileIo.h>
+#include <mrpt_mapconv/maps/IniText.h>
 #include <mrpt_mapconv/maps/MrptError.h>
 #include <mrpt_mapconv/sim/Scenario.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <iterator>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
-
-#include "UnknownKeys.h"
 
 namespace mrpt_mapconv::sim
 {
@@ -24,39 +17,6 @@ using mrpt::math::TPoint3D;
 namespace
 {
 constexpr const char* kSensorPrefix = "sensor.";
-
-std::string readText(const std::string& path)
-{
-  if (std::error_code none; std::filesystem::is_directory(path, none))
-    grid::throwFileError("read", path, EISDIR);
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  if (!file) grid::throwFileError("read", path, errno);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-/** MRPT passes over lines that it does not understand: a forgotten "=" would go unnoticed. */
-void checkLines(const std::string& text)
-{
-  std::istringstream lines(text);
-  bool continued = false;  // a backslash at its end continues a line in the next
-  std::string line;
-  for (int number = 1; std::getline(lines, line); ++number)
-  {
-    const bool isNew = !continued;
-    const auto begin = line.find_first_not_of(" \t\r"), end = line.find_last_not_of(" \t\r");
-    continued = begin != std::string::npos && line[end] == '\\';
-    if (!isNew || begin == std::string::npos) continue;
-    const std::string content = line.substr(begin, end + 1 - begin);
-    const bool known = content[0] == ';' || content[0] == '#' || content.compare(0, 2, "//") == 0 ||
-                       content[0] == '@' ||
-                       (content[0] == '[' && content.find(']') != std::string::npos);
-    const auto equals = content.find('=');
-    if (!known && (equals == std::string::npos || equals == 0))
-      throw std::runtime_error("line " + std::to_string(number) + ": '" + content +
-                               "' is no section, comment or key = value");
-  }
-}
 
 std::vector<std::string> sensorSections(const CConfigFileMemory& ini)
 {
@@ -98,7 +58,7 @@ NoiseParams readNoise(const CConfigFileMemory& ini)
   section.read("odometryDrift", noise.odometryDrift);
   readAtLeast(section, "posePosition", 0, noise.posePosition);
   readAtLeast(section, "poseAngle", 0, noise.poseAngle);
-  refuseUnknownKeys(section, "the noise");
+  section.refuseUnknown("the noise");
   return noise;
 }
 
@@ -109,7 +69,7 @@ LogParams readLog(const CConfigFileMemory& ini)
   section.read("poses", log.poses);
   section.read("keyFrameEvery", log.keyFrameEvery);
   if (log.keyFrameEvery < 1) section.fail("keyFrameEvery", "a whole number >= 1");
-  refuseUnknownKeys(section, "the log");
+  section.refuseUnknown("the log");
   return log;
 }
 
@@ -122,7 +82,7 @@ void readTruth(const CConfigFileMemory& ini, Scenario& scenario)
   section.read("robotHeight", scenario.truth.robotHeight);
   section.read("maxSlope", scenario.truth.maxSlope);
   section.read("maxStep", scenario.truth.maxStep);
-  refuseUnknownKeys(section, "the truth");
+  section.refuseUnknown("the truth");
   try
   {
     scenario.truth.check();
@@ -150,7 +110,7 @@ class WayCheck
       const bool isPoint = i == 0 || knots[i].number != knots[i - 1].number;
       checkAt(knots[i].time, knots[i].number, isPoint);
       if (i + 1 == knots.size()) break;
-      const double way = (knots[i + 1].position - knots[i].position).norm();
+      const double way = knots[i + 1].position.distanceTo(knots[i].position);
       const int steps = static_cast<int>(std::ceil(way / kStep));
       for (int k = 1; k < steps; ++k)
         checkAt(knots[i].time + (knots[i + 1].time - knots[i].time) * k / steps, knots[i].number,
@@ -230,10 +190,9 @@ Scenario readScenario(const CConfigFileMemory& ini)
 
 Scenario Scenario::load(const std::string& file)
 {
-  const std::string text = readText(file);
+  const std::string text = maps::readIniText(file);
   try
   {
-    checkLines(text);
     return readScenario(CConfigFileMemory(text));
   }
   catch (const std::exception& error)

@@ -28,6 +28,12 @@ mrpt::math::TPoint3D readPoint3D(maps::StrictSection& section, const std::string
 struct Corners
 {
   mrpt::math::TPoint3D min, max;  //!< [m]
+
+  mrpt::math::TPoint3D centre() const
+  {
+    return {(min.x + max.x) / 2, (min.y + max.y) / 2, (min.z + max.z) / 2};
+  }
+  mrpt::math::TPoint3D size() const { return {max.x - min.x, max.y - min.y, max.z - min.z}; }
 };
 Corners readCorners(maps::StrictSection& section);
 

@@ -92,6 +92,24 @@ mrpt::poses::CPose3DPDFGaussian estimateOf(const Moment& moment, const NoisePara
   return estimate;
 }
 
+/** A Gaussian about a step of odometry as wide as its noise and drift, but at least 1 mm and 0.02
+ * degrees: particle filters need some. */
+CActionRobotMovement2D::TMotionModelOptions motionModel(const CPose2D& step,
+                                                        const NoiseParams& noise)
+{
+  const auto spread = odometrySpread(step, noise);
+  const double drift = mrpt::DEG2RAD(noise.odometryDrift * step.norm());
+  CActionRobotMovement2D::TMotionModelOptions options;
+  options.modelSelection = CActionRobotMovement2D::mmGaussian;
+  options.gaussianModel = {0,
+                           0,
+                           0,
+                           0,
+                           std::max(spread.position, 0.001),
+                           std::max(std::hypot(spread.yaw, drift), mrpt::DEG2RAD(0.02))};
+  return options;
+}
+
 /** Everything that is written while the robot moves. */
 class Recorder
 {
@@ -149,7 +167,7 @@ class Recorder
     m_lastOdometry = moment.odometry;
     CActionRobotMovement2D movement;
     movement.timestamp = moment.time;
-    movement.computeFromOdometry(step, m_motionModel);
+    movement.computeFromOdometry(step, motionModel(step, m_scenario.noise));
     mrpt::obs::CActionCollection actions;
     actions.insert(movement);
     return actions;
@@ -161,7 +179,6 @@ class Recorder
   TrajectoryFile m_trajectory;
   bool m_isFirst = true;
   CPose2D m_lastOdometry;
-  CActionRobotMovement2D::TMotionModelOptions m_motionModel;  // its default: Gaussian
 };
 
 std::uint32_t countKeyFrames(const Scenario& scenario)
@@ -189,7 +206,7 @@ double wayOf(const Trajectory& trajectory)
   double way = 0;
   const auto& knots = trajectory.knots();
   for (std::size_t i = 1; i < knots.size(); ++i)
-    way += (knots[i].position - knots[i - 1].position).norm();
+    way += knots[i].position.distanceTo(knots[i - 1].position);
   return way;
 }
 

@@ -59,22 +59,24 @@ Simulator::Simulator(const Scenario& scenario, std::uint64_t seed)
 {
 }
 
-/** Adds what the robot's encoders say about its way since the last moment. The variance grows with
- * the way, so that it does not matter into how many steps it is cut. */
+OdometrySpread odometrySpread(const CPose2D& step, const NoiseParams& noise)
+{
+  const double way = std::sqrt(step.norm());
+  const double turn = std::sqrt(std::abs(step.phi()) / mrpt::DEG2RAD(360.0));
+  return {noise.odometryPerMetre * way, mrpt::DEG2RAD(std::hypot(noise.odometryYawPerMetre * way,
+                                                                 noise.odometryYawPerTurn * turn))};
+}
+
+/** Adds what the robot's encoders say about its way since the last moment. */
 void Simulator::moveOdometry(const CPose2D& truth)
 {
-  const NoiseParams& noise = m_scenario.noise;
   const CPose2D step = truth - m_truth;
-  const double way = step.norm(), turn = std::abs(step.phi());
+  const auto spread = odometrySpread(step, m_scenario.noise);
+  const double drift = mrpt::DEG2RAD(m_scenario.noise.odometryDrift * step.norm());
   Random random(randomKey(m_seed, "odometry", m_moments));
-  const double sigma = noise.odometryPerMetre * std::sqrt(way);
-  const double yawSigma =
-      std::hypot(noise.odometryYawPerMetre * std::sqrt(way),
-                 noise.odometryYawPerTurn * std::sqrt(turn / mrpt::DEG2RAD(360.0)));
-  const double x = step.x() + sigma * random.normal();
-  const double y = step.y() + sigma * random.normal();
-  const double yaw =
-      step.phi() + mrpt::DEG2RAD(noise.odometryDrift * way + yawSigma * random.normal());
+  const double x = step.x() + spread.position * random.normal();
+  const double y = step.y() + spread.position * random.normal();
+  const double yaw = step.phi() + drift + spread.yaw * random.normal();
   m_odometry = m_odometry + CPose2D(x, y, yaw);
   m_truth = truth;
 }

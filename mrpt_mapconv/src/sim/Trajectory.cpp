@@ -9,8 +9,6 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "UnknownKeys.h"
-
 namespace mrpt_mapconv::sim
 {
 using mrpt::math::TPoint3D;
@@ -40,6 +38,11 @@ std::optional<double> heightOnGround(const World& world, const Drive& drive, dou
   return std::nullopt;
 }
 
+TPoint3D placeBetween(const TPoint3D& a, const TPoint3D& b, double share)
+{
+  return {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y), a.z + share * (b.z - a.z)};
+}
+
 /** Drives from way-point to way-point. */
 class Driver
 {
@@ -58,10 +61,24 @@ class Driver
       turnTo(m_wayPoints[i + 1], i, place);
       place = goTo(m_wayPoints[i + 1], i, place);
     }
+    if (m_drive.followGround) raiseBeforeSteps();
     return std::move(m_knots);
   }
 
  private:
+  /** Lifts each knot to the higher of its neighbours: between a foot and a top of a step the
+   * straight line would lead through the step. */
+  void raiseBeforeSteps()
+  {
+    const auto low = m_knots;
+    for (std::size_t k = 0; k < low.size(); ++k)
+    {
+      double& z = m_knots[k].position.z;
+      if (k > 0) z = std::max(z, low[k - 1].position.z);
+      if (k + 1 < low.size()) z = std::max(z, low[k + 1].position.z);
+    }
+  }
+
   double groundAt(std::size_t i, const TPoint3D& place) const
   {
     const auto z = heightOnGround(m_world, m_drive, place.x, place.y);
@@ -89,15 +106,15 @@ class Driver
   /** \return where that is */
   TPoint3D goTo(const TPoint3D& target, std::size_t i, const TPoint3D& start)
   {
-    TPoint3D way = target - start;
-    if (m_drive.followGround) way.z = 0;
-    const double length = way.norm();
+    TPoint3D end = target;
+    if (m_drive.followGround) end.z = start.z;
+    const double length = start.distanceTo(end);
     if (!(length > 1e-9)) failAt(i + 1, target, "must not be where the way-point before it is");
     const int steps = m_drive.followGround ? static_cast<int>(std::ceil(length / kGroundStep)) : 1;
     TPoint3D place = start;
     for (int k = 1; k <= steps; ++k)
     {
-      place = k == steps ? target : start + way * (static_cast<double>(k) / steps);
+      place = k == steps ? target : placeBetween(start, end, static_cast<double>(k) / steps);
       if (m_drive.followGround) place.z = groundAt(i, place);
       add(length / steps / m_drive.speed, place, k == steps ? i + 1 : i);
     }
@@ -154,6 +171,7 @@ Trajectory readDrive(maps::StrictSection& section, const World& world)
   std::vector<TPoint3D> wayPoints;
   const auto rows = drive.followGround ? readRows(section, "waypoints", 2, "x y [m]")
                                        : readRows(section, "waypoints", 3, "x y z [m]");
+  wayPoints.reserve(rows.size());
   for (const auto& row : rows)
     wayPoints.emplace_back(row[0], row[1], drive.followGround ? 0 : row[2]);
   try
@@ -209,7 +227,7 @@ Trajectory Trajectory::read(maps::StrictSection& section, const World& world)
   if (poses && section.has("waypoints"))
     section.fail("poses", "left out where waypoints are given");
   Trajectory trajectory = poses ? readPoses(section) : readDrive(section, world);
-  refuseUnknownKeys(section, poses ? "a list of poses" : "a way along way-points");
+  section.refuseUnknown(poses ? "a list of poses" : "a way along way-points");
   return trajectory;
 }
 
@@ -231,7 +249,7 @@ mrpt::poses::CPose3D Trajectory::poseAt(double time) const
   const Knot &a = *std::prev(next), &b = *next;
   const double share = (time - a.time) / (b.time - a.time);
   const auto between = [share](double from, double to) { return from + share * (to - from); };
-  return poseOf({time, a.position + (b.position - a.position) * share, between(a.yaw, b.yaw),
+  return poseOf({time, placeBetween(a.position, b.position, share), between(a.yaw, b.yaw),
                  between(a.pitch, b.pitch), between(a.roll, b.roll), a.number});
 }
 

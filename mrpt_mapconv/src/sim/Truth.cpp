@@ -15,8 +15,8 @@ namespace mrpt_mapconv::sim
 namespace
 {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kSlack = 1e-9;     // a value that is exactly a limit keeps it after roundings [m]
-constexpr std::int32_t kSteps = 8;  // of the lattice that jumps are looked for on, to a cell
+constexpr double kSlack = 1e-9;    // a value that is exactly a limit keeps it after roundings [m]
+constexpr std::size_t kSteps = 8;  // of the lattice that jumps are looked for on, to a cell
 
 void requireParameter(bool ok, const char* name, double value, const char* right)
 {
@@ -38,7 +38,6 @@ struct Gap
 struct Line
 {
   bool solid = false;     // there is something within the bounds
-  double lowestTop = 0;   // top of its lowest solid [m]
   bool gapAbove = false;  // whether gaps.front() is the one above the lowest solid
   std::vector<Gap> gaps;  // from the lowest up
 };
@@ -60,7 +59,6 @@ class Probe
       const Solid& solid = m_solids[i];
       if (solid.top <= zMin || solid.bottom >= zMax) continue;
       const bool lowest = !m_line.solid;
-      if (lowest) m_line.lowestTop = solid.top;
       m_line.solid = true;
       if (solid.top >= zMax - kSlack) continue;
       m_line.gapAbove = m_line.gapAbove || lowest;
@@ -71,12 +69,13 @@ class Probe
     return m_line;
   }
 
-  /** Top of the lowest solid [m]; NaN: there is none. */
+  /** Top of the lowest solid within the bounds [m]; NaN: there is none. */
   double lowestTop(double x, double y)
   {
     m_world.solidsAt(x, y, m_solids);
     for (const Solid& solid : m_solids)
-      if (solid.top > m_world.min().z && solid.bottom < m_world.max().z) return solid.top;
+      if (solid.top > m_world.min().z && solid.bottom < m_world.max().z)
+        return std::min(solid.top, m_world.max().z);
     return std::numeric_limits<double>::quiet_NaN();
   }
 
@@ -86,68 +85,40 @@ class Probe
   Line m_line;
 };
 
-/** A row of cells being looked at for jumps of the lowest solid's top. */
-class JumpRow
+/** Whether two neighbouring tops are a jump; a hole in the ground is one, too. */
+bool jumps(double a, double b, double maxStep)
 {
- public:
-  JumpRow(const World& world, const grid::GridFrame& frame, double maxStep)
-      : m_world(world), m_frame(frame), m_maxStep(maxStep)
-  {
-  }
+  if (std::isnan(a) || std::isnan(b)) return std::isnan(a) != std::isnan(b);
+  return std::abs(a - b) > maxStep + kSlack;
+}
 
-  /** The row, counted from the frame's corner. */
-  void start(std::int32_t iy, Probe& probe)
+/** Whether the lowest solid's top jumps in or on the border of the cell with this lower corner. */
+bool jumpsIn(const World& world, double xLow, double yLow, double size, double maxStep,
+             Probe& probe)
+{
+  // The outermost points lie a hair beyond the border, so that a face right on it, which is common
+  // in worlds written by hand, counts for the cells on both sides whatever the rounding.
+  constexpr double kHair = 1e-6;
+  const auto place = [size](double low, std::size_t step, double min, double max)
   {
-    const bool follows = iy == m_row + 1;
-    m_row = iy;
-    if (follows) m_tops.front().swap(m_tops.back());
-    for (std::int32_t j = follows ? 1 : 0; j <= kSteps; ++j) fill(j, probe);
-  }
-
-  /** Whether there is a jump in the square of the cell in column ix. */
-  bool jumpIn(std::int32_t ix) const
+    const double aside = step == 0 ? -kHair : step == kSteps ? kHair : 0;
+    return std::clamp(low + size * static_cast<double>(step) / kSteps + aside, min, max);
+  };
+  std::array<double, kSteps + 1> below{};
+  for (std::size_t j = 0; j <= kSteps; ++j)
   {
-    for (std::int32_t j = 0; j <= kSteps; ++j)
-      for (std::int32_t i = 0; i <= kSteps; ++i)
-      {
-        const double here = top(j, ix * kSteps + i);
-        if (i < kSteps && jumps(here, top(j, ix * kSteps + i + 1))) return true;
-        if (j < kSteps && jumps(here, top(j + 1, ix * kSteps + i))) return true;
-      }
-    return false;
+    double left = 0;
+    for (std::size_t i = 0; i <= kSteps; ++i)
+    {
+      const double top = probe.lowestTop(place(xLow, i, world.min().x, world.max().x),
+                                         place(yLow, j, world.min().y, world.max().y));
+      if (i > 0 && jumps(left, top, maxStep)) return true;
+      if (j > 0 && jumps(below[i], top, maxStep)) return true;
+      left = below[i] = top;
+    }
   }
-
- private:
-  double top(std::int32_t j, std::int32_t i) const
-  {
-    return m_tops[static_cast<std::size_t>(j)][static_cast<std::size_t>(i)];
-  }
-  /** A hole in the ground is a jump, too. */
-  bool jumps(double a, double b) const
-  {
-    if (std::isnan(a) || std::isnan(b)) return std::isnan(a) != std::isnan(b);
-    return std::abs(a - b) > m_maxStep + kSlack;
-  }
-  void fill(std::int32_t j, Probe& probe)
-  {
-    auto& tops = m_tops[static_cast<std::size_t>(j)];
-    tops.resize(static_cast<std::size_t>(m_frame.width) * kSteps + 1);
-    const double cell = m_frame.resolution / kSteps;
-    const auto place = [&](std::int32_t key, std::int64_t step, double low, double high) {
-      return std::clamp(static_cast<double>(std::int64_t{key} * kSteps + step) * cell, low, high);
-    };
-    const auto &min = m_world.min(), &max = m_world.max();
-    const double y = place(m_frame.y0, std::int64_t{m_row} * kSteps + j, min.y, max.y);
-    for (std::size_t i = 0; i < tops.size(); ++i)
-      tops[i] = probe.lowestTop(place(m_frame.x0, static_cast<std::int64_t>(i), min.x, max.x), y);
-  }
-
-  const World& m_world;
-  const grid::GridFrame& m_frame;
-  double m_maxStep;
-  std::int32_t m_row = -2;
-  std::array<std::vector<double>, kSteps + 1> m_tops;
-};
+  return false;
+}
 
 /** Fills all layers of a cell but the jumps. \return whether a ground robot could be there */
 bool judge(const Line& line, const TruthParams& params, freespace::Layers& layers, std::size_t cell)
@@ -169,17 +140,19 @@ bool judge(const Line& line, const TruthParams& params, freespace::Layers& layer
 }
 
 void fillRow(const grid::GridFrame& frame, std::int32_t iy, const TruthParams& params,
-             const World& world, Probe& probe, JumpRow& jumps, freespace::Layers& layers)
+             const World& world, Probe& probe, freespace::Layers& layers)
 {
-  jumps.start(iy, probe);
-  const double y = (frame.y0 + iy + 0.5) * frame.resolution;
+  const double size = frame.resolution;
+  const double y = (frame.y0 + iy + 0.5) * size;
   if (y < world.min().y || y > world.max().y) return;
   for (std::int32_t ix = 0; ix < frame.width; ++ix)
   {
-    const double x = (frame.x0 + ix + 0.5) * frame.resolution;
+    const double x = (frame.x0 + ix + 0.5) * size;
     if (x < world.min().x || x > world.max().x) continue;
     const std::size_t cell = frame.indexOfKey(frame.x0 + ix, frame.y0 + iy);
-    if (judge(probe.lineAt(x, y), params, layers, cell) && !jumps.jumpIn(ix))
+    if (judge(probe.lineAt(x, y), params, layers, cell) &&
+        !jumpsIn(world, (frame.x0 + ix) * size, (frame.y0 + iy) * size, size, params.maxStep,
+                 probe))
       layers.ground.cells()[cell] = grid::kFree;
   }
 }
@@ -190,9 +163,9 @@ void TruthParams::check() const
   const auto positive = [](double v) { return std::isfinite(v) && v > 0; };
   requireParameter(positive(minClearance), "minClearance", minClearance, "a finite height > 0 m");
   requireParameter(positive(robotHeight), "robotHeight", robotHeight, "a finite height > 0 m");
-  requireParameter(std::isfinite(maxSlope) && maxSlope >= 0, "truthSlope", maxSlope,
+  requireParameter(std::isfinite(maxSlope) && maxSlope >= 0, "maxSlope", maxSlope,
                    "a finite slope >= 0");
-  requireParameter(std::isfinite(maxStep) && maxStep >= 0, "truthStep", maxStep,
+  requireParameter(std::isfinite(maxStep) && maxStep >= 0, "maxStep", maxStep,
                    "a finite height >= 0 m");
 }
 
@@ -223,10 +196,9 @@ freespace::Layers truthLayers(const World& world, const grid::GridFrame& frame,
                         [&](std::size_t begin, std::size_t end)
                         {
                           Probe probe(world);
-                          JumpRow jumps(world, frame, params.maxStep);
                           for (std::size_t iy = begin; iy < end; ++iy)
                             fillRow(frame, static_cast<std::int32_t>(iy), params, world, probe,
-                                    jumps, layers);
+                                    layers);
                         });
   return layers;
 }

@@ -23,7 +23,7 @@ std::size_t cellsAcross(double length, double cellSize)
 /** Index of the cell on one axis; of the nearest one for a place beyond the bounds. */
 std::size_t cellIndex(double place, double begin, double cellSize, std::size_t count)
 {
-  const double cell = std::floor((place - begin) / cellSize);
+  const double cell = (place - begin) / cellSize;
   return static_cast<std::size_t>(std::clamp(cell, 0.0, static_cast<double>(count - 1)));
 }
 
@@ -63,12 +63,9 @@ std::string listed(const std::vector<std::string>& words)
   return list;
 }
 
-void refuseUnknownKeys(const maps::StrictSection& section, const std::string& owner)
+mrpt::math::TPoint3D pointOf(const std::vector<double>& numbers, std::size_t first)
 {
-  const auto keys = section.unknownKeys();
-  if (keys.empty()) return;
-  throw std::runtime_error("section '" + section.name() + "': '" + keys.front() +
-                           "' is not a key of " + owner + ": correct its name or take it out");
+  return {numbers[first], numbers[first + 1], numbers[first + 2]};
 }
 
 World emptyWorld(const mrpt::config::CConfigFileBase& ini)
@@ -78,8 +75,8 @@ World emptyWorld(const mrpt::config::CConfigFileBase& ini)
   const auto v = readNumbers(section, "bounds", 6, meaning);
   for (std::size_t axis = 0; axis < 3; ++axis)
     if (!(v[axis] < v[axis + 3])) section.fail("bounds", meaning + ", each max above its min");
-  refuseUnknownKeys(section, "the world");
-  return {{v[0], v[1], v[2]}, {v[3], v[4], v[5]}};
+  section.refuseUnknown("the world");
+  return {pointOf(v, 0), pointOf(v, 3)};
 }
 
 std::unique_ptr<Primitive> readPrimitive(const mrpt::config::CConfigFileBase& ini,
@@ -97,19 +94,25 @@ std::unique_ptr<Primitive> readPrimitive(const mrpt::config::CConfigFileBase& in
                              ".NAME");
   maps::StrictSection section(ini, name);
   auto primitive = read(section);
-  refuseUnknownKeys(section, "a " + kind);
+  section.refuseUnknown("a " + kind);
   return primitive;
+}
+
+void requireBelow(double min, double max, char axis)
+{
+  if (min < max) return;
+  throw std::invalid_argument(std::string("bounds of a world: min ") + axis + " = " +
+                              std::to_string(min) + " is not valid: it must be below max " + axis +
+                              " = " + std::to_string(max));
 }
 }  // namespace
 
 World::World(const mrpt::math::TPoint3D& min, const mrpt::math::TPoint3D& max)
     : m_min(min), m_max(max)
 {
-  for (int axis = 0; axis < 3; ++axis)
-    if (!(min[axis] < max[axis]))
-      throw std::invalid_argument(std::string("a world's bounds are not valid: min ") +
-                                  "xyz"[axis] + " = " + std::to_string(min[axis]) +
-                                  " must be below max = " + std::to_string(max[axis]));
+  requireBelow(m_min.x, m_max.x, 'x');
+  requireBelow(m_min.y, m_max.y, 'y');
+  requireBelow(m_min.z, m_max.z, 'z');
   const double width = max.x - min.x, height = max.y - min.y;
   m_cellSize = std::max(kCell, std::max(width, height) / kMostCellsAcross);
   m_cellsX = cellsAcross(width, m_cellSize);

@@ -76,9 +76,9 @@ TEST_F(Convert, succeeds)
 TEST_F(Convert, writesAllFilesAndNoOther)
 {
   const std::set<std::string> expected = {
-      "layers.tif", "aerial.gridmap", "ground.gridmap", "aerial.pgm",  "aerial.yaml",
-      "ground.pgm", "ground.yaml",    "floor.png",      "ceiling.png", "slope.png",
-      "aerial.png", "ground.png",     "map.3Dscene"};
+      "layers.tif",  "voxels.bt",  "aerial.gridmap", "ground.gridmap", "aerial.pgm",
+      "aerial.yaml", "ground.pgm", "ground.yaml",    "floor.png",      "ceiling.png",
+      "slope.png",   "aerial.png", "ground.png",     "map.3Dscene"};
   EXPECT_EQ(expected, filesIn(s_dir->path("out")));
 }
 
@@ -253,7 +253,7 @@ TEST_F(Convert, replacesItsFilesAndLeavesOthersAlone)
   ASSERT_EQ(0, mapconv({"convert", input(), "-o", dir.path("out")}).status);
   EXPECT_EQ("mine", readBytes(dir.path("out/notes.txt")));
   EXPECT_EQ(readBytes(output("aerial.pgm")), readBytes(dir.path("out/aerial.pgm")));
-  EXPECT_EQ(14u, filesIn(dir.path("out")).size());
+  EXPECT_EQ(15u, filesIn(dir.path("out")).size());
 }
 
 TEST_F(Convert, clearanceThatIsNowhereGivesUnknownLayersAndAWarning)

@@ -177,6 +177,18 @@ TEST(GeoTiff, readsForeignNoData)
   EXPECT_TRUE(std::isnan(layer.at(1, 0)));
 }
 
+TEST(GeoTiff, MetadataComeBack)
+{
+  const TempDir dir;
+  const std::string path = dir.path("meta.tif");
+  const auto layer = numbered({0.5, 0, 0, 2, 1});
+  writeGeoTiff(path, {{"a", &layer}}, {{"minClearance", "1.5"}, {"note", "x = y"}});
+  const Metadata metadata = readGeoTiffMetadata(path);
+  EXPECT_EQ("1.5", metadata.at("minClearance"));
+  EXPECT_EQ("x = y", metadata.at("note"));
+  EXPECT_THROW(readGeoTiffMetadata(dir.path("none.tif")), std::runtime_error);
+}
+
 TEST(GeoTiff, refusesForeignFramesWithoutIntegerKeys)
 {
   const TempDir dir;

@@ -3,6 +3,7 @@
 #include <mrpt_mapconv/maps/StrictSection.h>
 
 #include <stdexcept>
+#include <string>
 
 using mrpt_mapconv::maps::StrictSection;
 
@@ -111,6 +112,12 @@ TEST(StrictSection, AChoiceMustBeOneOfTheWords)
   {
     EXPECT_STREQ(error.what(), "section 'a': k = 'boat' is not valid: it must be ground or aerial");
   }
+}
+
+TEST(StrictSection, ReadsTextWithoutCommentAndBlanks)
+{
+  EXPECT_EQ("a b.ini", readAs<std::string>("k =  a b.ini   ; a file"));
+  EXPECT_EQ("", readAs<std::string>("other = 1"));
 }
 
 TEST(StrictSection, NamesTheKeysNobodyAskedFor)

@@ -148,6 +148,14 @@ TEST(GridPlanner, aDoorJustWideEnough)
                 "radius of 0.11 m");
 }
 
+// 4.2 / 0.3 is a little more than 14 in doubles
+TEST(GridPlanner, aRadiusOfWholeCellsLosesNoneToRounding)
+{
+  const grid::Layer<float> map({0.3, 0, 0, 29, 29}, 0.0f);
+  EXPECT_TRUE(planOnGrid(map, {4.35, 4.35}, {4.37, 4.33}, 4.2).found());
+  EXPECT_FALSE(planOnGrid(map, {4.35, 4.35}, {4.37, 4.33}, 4.2001).found());
+}
+
 TEST(GridPlanner, inflatesByADiscNotASquare)
 {
   // the square of cell (3, 3) is 0.2 and 0.2 m away from the pillar's, that is 0.283 m

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <mrpt/io/CFileGZInputStream.h>
 #include <mrpt/maps/CSimpleMap.h>
+#include <mrpt/math/TPose2D.h>
 #include <mrpt/obs/CActionCollection.h>
 #include <mrpt/obs/CActionRobotMovement2D.h>
 #include <mrpt/obs/CObservationOdometry.h>
@@ -137,6 +138,32 @@ TEST(SimulationFiles, PosesAreLoggedWhereAskedFor)
   const auto scans = mrpt_mapconv::maps::readRawlog(dir.path("scans.rawlog"));
   EXPECT_EQ(scans.size(), 9u);
   EXPECT_LT(farthestOff(scans), 2e-4);
+}
+
+// 10 Hz, 0.05 m a step: 0.02·√0.05 m and 0.5·√0.05°; no less than 1 mm and 0.02° while it turns
+TEST(SimulationFiles, ActionsAreAsUncertainAsTheOdometry)
+{
+  const TempDir dir;
+  simulate(kRoom + kScanner + kDrive + kNoise, 1, dir);
+  ObjectFile file(dir.path("frames.rawlog"));
+  std::vector<mrpt::math::CMatrixDouble33> covariances;
+  mrpt::poses::CPose2D sum;
+  while (const auto object = file.next())
+    if (const auto actions = std::dynamic_pointer_cast<mrpt::obs::CActionCollection>(object))
+    {
+      const auto move = actions->getActionByClass<mrpt::obs::CActionRobotMovement2D>();
+      ASSERT_TRUE(move);
+      covariances.push_back(move->poseChange->getCovariance());
+      sum = sum + move->rawOdometryIncrementReading;
+    }
+  ASSERT_EQ(covariances.size(), 101u);
+  const double step = std::sqrt(0.05);
+  // the step is itself noisy, by some per cent
+  EXPECT_NEAR(std::sqrt(covariances[10](0, 0)), 0.02 * step, 0.1 * 0.02 * step);
+  EXPECT_NEAR(std::sqrt(covariances[10](2, 2)), mrpt::DEG2RAD(0.5 * step), 0.1 * 0.01 * step);
+  EXPECT_NEAR(std::sqrt(covariances[50](0, 0)), 0.001, 1e-5);
+  EXPECT_NEAR(std::sqrt(covariances[50](2, 2)), mrpt::DEG2RAD(0.02), 1e-6);
+  EXPECT_LT((sum.asTPose() - mrpt::math::TPose2D(2, 2, M_PI / 2)).norm(), 0.3);
 }
 
 // MRPT reads it, and would have written the same.

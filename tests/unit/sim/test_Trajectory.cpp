@@ -108,6 +108,9 @@ max = 9 9 1
   const auto heightAt = [&](double time) { return t.poseAt(time).z(); };
   EXPECT_NEAR(heightAt(0), 0.3, 1e-12);
   EXPECT_NEAR(heightAt(1.9), 0.3, 1e-12);
+  // at no time in the step, whose edge is at 2 m
+  for (double time = 1.9; time < 2.1; time += 0.001)
+    EXPECT_GE(heightAt(time), time < 2 ? 0.3 : 0.55) << time;
   EXPECT_NEAR(heightAt(2.1), 0.55, 1e-12);
   EXPECT_NEAR(heightAt(5), 1.3, 1e-12);
   EXPECT_NEAR(t.poseAt(5).x(), 5, 1e-9);

@@ -377,6 +377,49 @@ TEST_F(OctreeFileOnDisk, BadFilesAreNamed)
   expectFileError(write("garbage.bt", "PK\x03\x04 garbage"), "not an OctoMap file");
 }
 
+TEST_F(OctreeFileOnDisk, WritesWhatItReads)
+{
+  const auto tree = sampleTree<octomap::ColorOcTree>();
+  const std::string path = m_dir.path("written.bt");
+  mrpt_mapconv::voxel::writeOctreeFile(path, *tree, "a remark");
+  const auto read = readOctreeFile(path);
+  EXPECT_EQ("OcTree", read->getTreeType());
+  const auto& copy = dynamic_cast<const octomap::OcTree&>(*read);
+  std::size_t leaves = 0;
+  for (auto it = tree->begin_leafs(); it != tree->end_leafs(); ++it, ++leaves)
+  {
+    const auto* node = copy.search(it.getKey(), it.getDepth());
+    ASSERT_TRUE(node);
+    EXPECT_EQ(tree->isNodeOccupied(*it), copy.isNodeOccupied(*node));
+  }
+  EXPECT_EQ(leaves, copy.getNumLeafNodes());
+}
+
+TEST_F(OctreeFileOnDisk, KeepsAllDigitsOfTheResolution)
+{
+  octomap::OcTree tree(0.123456789012);
+  tree.updateNode(octomap::point3d(0.1f, 0.2f, 0.3f), true);
+  const std::string path = m_dir.path("odd.bt");
+  mrpt_mapconv::voxel::writeOctreeFile(path, tree);
+  EXPECT_EQ(0.123456789012, readOctreeFile(path)->getResolution());
+}
+
+TEST_F(OctreeFileOnDisk, SaysWhyItCannotWrite)
+{
+  octomap::OcTree tree(0.1);
+  tree.updateNode(octomap::point3d(0.1f, 0.2f, 0.3f), true);
+  const std::string path = m_dir.path("no/such/folder.bt");
+  try
+  {
+    mrpt_mapconv::voxel::writeOctreeFile(path, tree);
+    ADD_FAILURE() << "written";
+  }
+  catch (const std::runtime_error& e)
+  {
+    EXPECT_NE(std::string(e.what()).find(path), std::string::npos) << e.what();
+  }
+}
+
 TEST(OctreeFileReal, CorridorHasItsKnownLeaves)
 {
   const std::string path = std::string(MRPT_MAPCONV_SHARED_DIR) + "/geb079.bt";

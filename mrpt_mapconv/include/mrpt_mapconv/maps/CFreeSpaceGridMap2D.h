@@ -15,6 +15,10 @@ namespace mrpt::maps
 {
 class COctoMap;
 }
+namespace mrpt::system
+{
+class CTimeLogger;
+}
 
 namespace mrpt_mapconv
 {
@@ -24,7 +28,9 @@ namespace mrpt_mapconv
  * have changed; the grid that this map *is* always shows the layer for the configured robot, so
  * MRPT's likelihoods, ICP, planners and viewers use it as any other COccupancyGridMap2D. A raw cell
  * is +127 for free, 0 for unknown, −max(1, round(127·value)) for occupied. The grid's frame is that
- * of layers(), whose cells lie on voxel columns.
+ * of layers(), whose cells lie on voxel columns. MRPT's particle filter resizes the grid behind the
+ * map's back (resizeGrid() is not virtual, and keeps what the cells say): it is laid out anew
+ * before the next insertion, matching, saving or step of the filter.
  *
  * Observations: see maps::sensorPoints(). Others are ignored.
  *
@@ -85,9 +91,22 @@ class CFreeSpaceGridMap2D : public mrpt::maps::COccupancyGridMap2D
   /** Writes all cells of the grid anew, should someone have changed them through the base class. */
   void refreshGrid() { showAllCells(); }
 
+  /** What each insertion into this object took, with the whole history; see saveToCSVFile(). Times
+   * [s]: "insert", and its parts "insert.voxels" and "insert.layers"; user measures:
+   * "insert.columns", how many columns have changed, and "insert.laidOut", 1 if all layers had to
+   * be laid out anew for it, else 0. A copy, or what is read from a stream, begins with none. */
+  const mrpt::system::CTimeLogger& insertionTimes() const;
+
+  void determineMatching2D(const mrpt::maps::CMetricMap* otherMap,
+                           const mrpt::poses::CPose2D& otherMapPose,
+                           mrpt::tfest::TMatchingPairList& correspondences,
+                           const mrpt::maps::TMatchingParams& params,
+                           mrpt::maps::TMatchingExtraResults& extraResults) const override;
+  void auxParticleFilterCleanUp() override { restoreGrid(); }
   void getVisualizationInto(mrpt::opengl::CSetOfObjects& scene) const override;
   /** Saves the grid as the base class does, all layers as PREFIX_layers.tif and PREFIX_<layer>.png,
-   * and the voxel map as PREFIX.ot; each file appears whole or not at all.
+   * the voxel map as PREFIX.ot, and insertionTimes(), if there are any, as PREFIX_times.csv; each
+   * file appears whole or not at all.
    * \exception std::runtime_error naming the file and the reason if one cannot be written */
   void saveMetricMapRepresentationToFile(const std::string& prefix) const override;
   std::string asString() const override;
@@ -101,10 +120,11 @@ class CFreeSpaceGridMap2D : public mrpt::maps::COccupancyGridMap2D
  private:
   const grid::Layer<float>& occupancy() const;
   bool gridFitsLayers() const;
+  void restoreGrid() const;
   void showAllCells();
   void showCells(const voxel::ColumnSet& columns);
   void takeOctree(std::unique_ptr<octomap::OcTree> tree);
-  void followOctree();
+  bool followOctree();
   void warnIfNothingIsFree();
   void writeBaseOptions(mrpt::serialization::CArchive& out) const;
   void readBaseOptions(mrpt::serialization::CArchive& in);
@@ -116,6 +136,9 @@ class CFreeSpaceGridMap2D : public mrpt::maps::COccupancyGridMap2D
   std::unique_ptr<octomap::OcTree> m_octree;
   freespace::IncrementalLayers m_layers;
   voxel::ColumnSet m_pending;  //!< changed in the octree, but not yet in the layers
+  bool m_sawFree = false;      //!< some cell was free once, so nobody needs to be warned
+  /** Made when it is needed: it has 0.6 MB, and most copies of a map never insert anything. */
+  mutable std::unique_ptr<mrpt::system::CTimeLogger> m_times;
 
   MAP_DEFINITION_START(CFreeSpaceGridMap2D)
   double resolution = 0.10;  //!< size of voxels and cells [m]

@@ -45,6 +45,9 @@ class StrictSection
   void ignore(const std::string& key) { m_known.insert(key); }
   /** Keys of the section that were neither read nor ignored, in alphabetical order. */
   std::vector<std::string> unknownKeys() const;
+  /** \param owner what has the keys that were read, e.g. "a lidar"
+   * \exception std::runtime_error naming section and key if there is an unknown one */
+  void refuseUnknown(const std::string& owner) const;
   /** One warning for all unknown keys, on MRPT's log; silent if there are none. */
   void warnUnknown() const;
 

@@ -90,7 +90,7 @@ struct LiftedPath
  *    occupied (aerial layer > 0) does.
  *
  * Heights are taken as the layers hold them, in float, also a run's ends. A height that violates a
- * condition by 1e-9 m or less satisfies it, and differences of up to 1e-9 m count as equally near.
+ * condition by 1e-5 m or less satisfies it, and differences of up to 1e-5 m count as equally near.
  * Points that cannot be reached say why (of several reasons the first in Infeasibility's order); no
  * other point depends on that.
  *

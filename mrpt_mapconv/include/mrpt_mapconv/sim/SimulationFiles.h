@@ -27,8 +27,8 @@ void countReturns(const Moment& moment, grid::Layer<float>& inView);
  *
  * - `scans.rawlog`: observations one by one: at each moment odometry, with [log] poses the
  * estimated pose, and the scans;
- * - `frames.rawlog`: pairs of action (the odometry's increment with a Gaussian of small spread) and
- *   sensory frame (all scans of a moment); the first action is no movement;
+ * - `frames.rawlog`: pairs of action (the odometry's increment, with a Gaussian as wide as its
+ * noise) and sensory frame (all scans of a moment); the first action is no movement;
  * - `scans.simplemap`: every [log] keyFrameEvery-th moment with a 3D scan, at its estimated pose;
  * - `trajectory.csv`: t,x,y,z,yaw,pitch,roll of the true pose at each moment [s, m, rad];
  * - `truth.tif`: bands floor, ceiling, slope, aerial, ground as truthLayers() gives them, and

@@ -50,6 +50,15 @@ class Schedule
   std::uint64_t m_candidates = 0;  //!< for key frames
 };
 
+/** Standard deviations of what odometry says about a step; their squares grow with the way, so that
+ * it does not matter into how many steps a way is cut. */
+struct OdometrySpread
+{
+  double position = 0;  //!< of x and y each [m]
+  double yaw = 0;       //!< [rad]
+};
+OdometrySpread odometrySpread(const mrpt::poses::CPose2D& step, const NoiseParams& noise);
+
 /** Lets a scenario happen, moment by moment. Everything random depends on the seed and on what it
  * is about, not on the order of computation. */
 class Simulator

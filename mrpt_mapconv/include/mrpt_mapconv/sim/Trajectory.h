@@ -45,7 +45,8 @@ class Trajectory
    * \code
    * poses = [0  0 0 0  0 0 0] [2  1 0 0  90 0 0]   // t x y z yaw pitch roll [s, m, degrees]
    * \endcode
-   * The ground is the top of the lowest solid with height + headroom of free space above it.
+   * The ground is the top of the lowest solid with height + headroom of free space above it, at the
+   * highest place within 5 cm ahead and behind.
    * Brackets are for the reader's eye only. The robot heads where it goes; time starts at 0.
    *
    * \exception std::runtime_error in one line naming section, key and value (of way-points and

@@ -10,8 +10,8 @@ struct TruthParams
 {
   double minClearance = 1.0;  //!< a vertical gap must be at least this high to fly in [m]
   double robotHeight = 1.0;   //!< of the ground robot [m]
-  double maxSlope = 0.5;      //!< truthSlope: steepest ground for it [m/m]
-  double maxStep = 0.1;       //!< truthStep: highest jump of the ground for it [m]
+  double maxSlope = 0.5;      //!< steepest ground for it [m/m]
+  double maxStep = 0.1;       //!< highest jump of the ground for it [m]
 
   /** \exception std::invalid_argument naming the parameter, its value and what would be right */
   void check() const;
@@ -30,8 +30,10 @@ grid::GridFrame frameOf(const World& world, double resolution);
  * - aerial: 0 where there is such a gap, 1 where there are solids but no gap, −1 without a solid;
  * - ground: 0 where the gap above the lowest solid is at least the robot's height, the slope there
  *   is ≤ maxSlope and no jump > maxStep of the lowest solid's top lies within half a cell; 1 where
- *   not; −1 without a solid. Jumps are looked for between the points of a lattice with 8 steps to
- *   a cell, its borders included.
+ *   not; −1 without a solid. Jumps are looked for between neighbouring points of a lattice with 8
+ *   steps to a cell, whose outermost points lie 1e-6 m beyond the cell's borders, though never
+ *   beyond the bounds; next to a place without a solid is a jump.
+ * Cells with their centre beyond the bounds are unknown. A value within 1e-9 of a limit keeps it.
  *
  * \param threads 0 = all cores */
 freespace::Layers truthLayers(const World& world, const grid::GridFrame& frame,

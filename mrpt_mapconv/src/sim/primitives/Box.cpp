@@ -18,8 +18,7 @@ class Box : public Primitive
     const Corners corners = readCorners(section);
     double yaw = 0;
     section.read("yaw", yaw);
-    return std::make_unique<Box>(
-        Block((corners.min + corners.max) * 0.5, corners.max - corners.min, yaw * kDegree));
+    return std::make_unique<Box>(Block(corners.centre(), corners.size(), yaw * kDegree));
   }
 
   Footprint footprint() const override { return m_block.footprint(); }

@@ -27,6 +27,8 @@ class Lattice
       : m_area(area),
         m_squaresX(squares(area.xMax - area.xMin, spacing)),
         m_squaresY(squares(area.yMax - area.yMin, spacing)),
+        m_perMetreX(double(m_squaresX) / (area.xMax - area.xMin)),
+        m_perMetreY(double(m_squaresY) / (area.yMax - area.yMin)),
         m_heights((m_squaresX + 1) * (m_squaresY + 1))
   {
   }
@@ -53,8 +55,7 @@ class Lattice
   /** For a place inside. */
   Surface at(double px, double py) const
   {
-    const double u = (px - m_area.xMin) / (m_area.xMax - m_area.xMin) * double(m_squaresX);
-    const double v = (py - m_area.yMin) / (m_area.yMax - m_area.yMin) * double(m_squaresY);
+    const double u = (px - m_area.xMin) * m_perMetreX, v = (py - m_area.yMin) * m_perMetreY;
     const std::size_t i = std::min(static_cast<std::size_t>(u), m_squaresX - 1);
     const std::size_t j = std::min(static_cast<std::size_t>(v), m_squaresY - 1);
     const double s = u - double(i), t = v - double(j);
@@ -63,9 +64,8 @@ class Lattice
     const double corner = s > t ? height(i + 1, j) : height(i, j + 1);
     const double alongX = s > t ? corner - h00 : h11 - corner;
     const double alongY = s > t ? h11 - corner : corner - h00;
-    return {h00 + s * alongX + t * alongY,
-            std::hypot(alongX * double(m_squaresX) / (m_area.xMax - m_area.xMin),
-                       alongY * double(m_squaresY) / (m_area.yMax - m_area.yMin))};
+    const double slopeX = alongX * m_perMetreX, slopeY = alongY * m_perMetreY;
+    return {h00 + s * alongX + t * alongY, std::sqrt(slopeX * slopeX + slopeY * slopeY)};
   }
 
  private:
@@ -76,6 +76,7 @@ class Lattice
 
   Footprint m_area;
   std::size_t m_squaresX, m_squaresY;
+  double m_perMetreX, m_perMetreY;  // squares to a metre
   std::vector<float> m_heights;
 };
 

@@ -55,23 +55,25 @@ class Sphere : public Primitive, public CurvedSurface
 
   std::array<TPoint3D, 2> bounds() const override
   {
-    const TPoint3D r(m_radius, m_radius, m_radius);
-    return {m_centre - r, m_centre + r};
+    const auto corner = [this](double r)
+    { return TPoint3D(m_centre.x + r, m_centre.y + r, m_centre.z + r); };
+    return {corner(-m_radius), corner(m_radius)};
   }
 
   std::optional<Meeting> meet(const TPoint3D& origin, const TVector3D& direction, double minRange,
                               double maxRange) const override
   {
-    const TVector3D toCentre = m_centre - origin;
-    const double closest =
-        toCentre.x * direction.x + toCentre.y * direction.y + toCentre.z * direction.z;
-    const TVector3D aside = toCentre - direction * closest;
-    const double halfSquare = m_radius * m_radius - aside.sqrNorm();
+    const double cx = m_centre.x - origin.x, cy = m_centre.y - origin.y, cz = m_centre.z - origin.z;
+    const double ux = direction.x, uy = direction.y, uz = direction.z;
+    const double closest = cx * ux + cy * uy + cz * uz;
+    // from the centre to the ray's nearest point: small numbers, so that far rays lose nothing
+    const double ax = closest * ux - cx, ay = closest * uy - cy, az = closest * uz - cz;
+    const double halfSquare = m_radius * m_radius - (ax * ax + ay * ay + az * az);
     if (halfSquare < 0) return {};
     const double half = std::sqrt(halfSquare);
     for (const double range : {closest - half, closest + half})
       if (range >= minRange && range <= maxRange)
-        return Meeting{range, direction * range - toCentre};
+        return Meeting{range, {range * ux - cx, range * uy - cy, range * uz - cz}};
     return {};
   }
 

@@ -39,7 +39,7 @@ class Stairs : public Primitive
   void appendMesh(Mesh& mesh) const override
   {
     MeshBuilder build(mesh);
-    const auto& [min, max] = m_corners;
+    const auto &min = m_corners.min, &max = m_corners.max;
     for (std::int32_t step = 0; step < m_steps; ++step)
     {
       const auto corner = [&](std::int32_t edge, bool right, std::int32_t level)

@@ -49,6 +49,7 @@ std::vector<double> evenElevations(maps::StrictSection& section)
   const double high = readWithin(section, "elevationMax", -90, 90);
   if (high < low) section.fail("elevationMax", "at least elevationMin");
   std::vector<double> elevations;
+  elevations.reserve(static_cast<std::size_t>(beams));
   for (int i = 0; i < beams; ++i)
     elevations.push_back(beams > 1 ? low + (high - low) * i / (beams - 1) : (low + high) / 2);
   return elevations;

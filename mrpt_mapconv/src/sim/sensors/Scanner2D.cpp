@@ -51,6 +51,7 @@ std::unique_ptr<Sensor> readScanner2D(maps::StrictSection& section, SensorParams
   const double fov = readWithin(section, "fieldOfView", 1, 360);
   const int rays = readCount(section, "rays", 2, 100000);
   std::vector<mrpt::math::TPoint3Df> directions;
+  directions.reserve(static_cast<std::size_t>(rays));
   for (int i = 0; i < rays; ++i)
     directions.push_back(directionAt(fov * i / (rays - 1) - fov / 2, 0));
   return std::make_unique<Scanner2D>(std::move(params), std::move(directions), mrpt::DEG2RAD(fov));

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "../UnknownKeys.h"
 
 namespace mrpt_mapconv::sim
 {
@@ -90,7 +89,7 @@ std::unique_ptr<Sensor> readSensor(StrictSection& section)
   if (kind < 0) section.fail("kind", "lidar or depthCamera or scanner2D");
 
   auto sensor = readers[kind](section, readParams(section));
-  refuseUnknownKeys(section, "a " + kinds[static_cast<std::size_t>(kind)]);
+  section.refuseUnknown("a " + kinds[static_cast<std::size_t>(kind)]);
   return sensor;
 }
 

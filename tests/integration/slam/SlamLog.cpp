@@ -1,0 +1,156 @@
+#include "SlamLog.h"
+
+#include <mrpt/io/CFileGZOutputStream.h>
+#include <mrpt/maps/CSimpleMap.h>
+#include <mrpt/obs/CObservationPointCloud.h>
+#include <mrpt/obs/CRawlog.h>
+#include <mrpt/serialization/CArchive.h>
+#include <mrpt_mapconv/grid/GeoTiff.h>
+#include <mrpt_mapconv/sim/MapScore.h>
+#include <mrpt_mapconv/sim/SimulationFiles.h>
+#include <sys/wait.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <sstream>
+
+namespace mrpt_mapconv::testing
+{
+namespace
+{
+const std::string kWorld =
+    std::string(MRPT_MAPCONV_SOURCE_DIR) + "/tests/integration/slam/flat.ini";
+
+void simulateInto(const std::string& dir)
+{
+  const auto scenario = sim::Scenario::load(kWorld);
+  grid::OutputDir out(dir);
+  sim::simulateTo(out, scenario, 1);
+  out.commit();
+}
+
+bool is3D(const mrpt::serialization::CSerializable& object)
+{
+  return object.GetRuntimeClass() == CLASS_ID(mrpt::obs::CObservationPointCloud);
+}
+
+mrpt::obs::CSensoryFrame::Ptr without3D(const mrpt::obs::CSensoryFrame& frame)
+{
+  auto rest = mrpt::obs::CSensoryFrame::Create();
+  for (const auto& observation : frame)
+    if (!is3D(*observation)) rest->insert(observation);
+  return rest;
+}
+
+void strip(const std::string& rawlogFile)
+{
+  mrpt::obs::CRawlog all, rest;
+  if (!all.loadFromRawLogFile(rawlogFile)) throw std::runtime_error(rawlogFile);
+  for (std::size_t i = 0; i < all.size(); ++i)
+  {
+    const auto entry = all.getAsGeneric(i);
+    if (const auto frame = std::dynamic_pointer_cast<mrpt::obs::CSensoryFrame>(entry))
+      rest.insert(*without3D(*frame));
+    else if (const auto action = std::dynamic_pointer_cast<mrpt::obs::CActionCollection>(entry))
+      rest.insert(*action);
+    else if (!is3D(*entry))
+      rest.insert(entry);
+  }
+  if (!rest.saveToRawLogFile(rawlogFile)) throw std::runtime_error(rawlogFile);
+}
+
+void stripSimpleMap(const std::string& file)
+{
+  mrpt::maps::CSimpleMap all, rest;
+  if (!all.loadFromFile(file)) throw std::runtime_error(file);
+  for (const auto& frame : all) rest.insert(frame.pose, without3D(*frame.sf));
+  if (!rest.saveToFile(file)) throw std::runtime_error(file);
+}
+
+/** A line "t,x,y,z,yaw,pitch,roll". */
+mrpt::poses::CPose2D poseOf(const std::string& line)
+{
+  std::istringstream text(line);
+  std::vector<double> numbers;
+  for (std::string number; std::getline(text, number, ',');) numbers.push_back(std::stod(number));
+  return {numbers.at(1), numbers.at(2), numbers.at(4)};
+}
+
+std::int32_t wholeCells(double metres, double resolution)
+{
+  const double cells = metres / resolution;
+  EXPECT_NEAR(cells, std::round(cells), 1e-6) << "flat.ini: the start must lie on a whole cell";
+  return static_cast<std::int32_t>(std::lround(cells));
+}
+}  // namespace
+
+SlamLog::SlamLog()
+{
+  simulateInto(m_dir.path());
+  std::istringstream lines(readBytes(file("trajectory.csv")));
+  std::string line;
+  std::getline(lines, line);  // the columns' names
+  std::getline(lines, line);
+  m_first = poseOf(line);
+  while (std::getline(lines, line)) m_last = poseOf(line);
+}
+
+void SlamLog::remove3D()
+{
+  strip(file("scans.rawlog"));
+  strip(file("frames.rawlog"));
+  stripSimpleMap(file("scans.simplemap"));
+}
+
+int SlamLog::run(const std::string& command) const
+{
+  const std::string whole =
+      "cd '" + m_dir.path() + "' && timeout 200 " + command + " </dev/null >said 2>&1";
+  const int status = std::system(whole.c_str());
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+std::string SlamLog::said() const
+{
+  constexpr std::size_t enough = 4000;
+  const auto text = readBytes(file("said"));
+  return text.size() > enough ? text.substr(text.size() - enough) : text;
+}
+
+double SlamLog::shareRight(const grid::Layer<float>& ground) const
+{
+  const auto truth = grid::readGeoTiffBand(file("truth.tif"), "ground");
+  const auto inView = grid::readGeoTiffBand(file("truth.tif"), "inView");
+  return sim::shareRightWithinOneCell(ground, truth, sim::cellsFrom(inView, 1));
+}
+
+double SlamLog::shareRight(const std::string& layersTif, bool inStartFrame) const
+{
+  if (!std::filesystem::exists(file(layersTif))) return 0;
+  const auto ground = grid::readGeoTiffBand(file(layersTif), "ground");
+  return shareRight(inStartFrame ? movedToWorld(ground) : ground);
+}
+
+grid::Layer<float> SlamLog::movedToWorld(const grid::Layer<float>& layer) const
+{
+  EXPECT_EQ(m_first.phi(), 0) << "flat.ini: the start must head along x";
+  grid::GridFrame frame = layer.frame();
+  frame.x0 += wholeCells(m_first.x(), frame.resolution);
+  frame.y0 += wholeCells(m_first.y(), frame.resolution);
+  grid::Layer<float> moved(frame, 0);
+  moved.cells() = layer.cells();
+  return moved;
+}
+
+std::string configFile(const std::string& name)
+{
+  return std::string("'") + MRPT_MAPCONV_SOURCE_DIR + "/config/" + name + "'";
+}
+
+std::string withPlugin()
+{
+  return "env LD_PRELOAD=libmrpt_mapconv.so LD_LIBRARY_PATH=\"$(dirname '" MRPT_MAPCONV_LIBRARY
+         "')\" ";
+}
+
+}  // namespace mrpt_mapconv::testing

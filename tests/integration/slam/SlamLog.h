@@ -1,0 +1,51 @@
+#pragma once
+
+#include <mrpt/poses/CPose2D.h>
+#include <mrpt_mapconv/grid/Layer.h>
+
+#include <string>
+
+#include "unit/grid/TempDir.h"
+
+namespace mrpt_mapconv::testing
+{
+/** A simulated run through the storey of flat.ini, in a folder of its own. */
+class SlamLog
+{
+ public:
+  SlamLog();
+
+  /** Takes the 3D scans out of both rawlogs and of the simplemap. */
+  void remove3D();
+
+  /** A file in the folder; programs are run there. */
+  std::string file(const std::string& name) const { return m_dir.path(name); }
+  /** Runs a shell command in the folder; what it says goes to the file "said".
+   * \return its exit status */
+  int run(const std::string& command) const;
+  /** What the command said; the end of it if that is long. */
+  std::string said() const;
+
+  mrpt::poses::CPose2D firstPose() const { return m_first; }  //!< true one, robot -> world
+  mrpt::poses::CPose2D lastPose() const { return m_last; }    //!< likewise
+
+  /** Share of the true ground labels, of cells that the 3D scans have met, that a map has right
+   * within one cell. */
+  double shareRight(const grid::Layer<float>& ground) const;
+  /** The same of the ground layer that our map has saved; 0 without that file, since a map without
+   * any voxel saves none.
+   * \param inStartFrame the map's frame is where the robot started, as in SLAM programs */
+  double shareRight(const std::string& layersTif, bool inStartFrame) const;
+
+ private:
+  grid::Layer<float> movedToWorld(const grid::Layer<float>& layer) const;
+
+  TempDir m_dir;
+  mrpt::poses::CPose2D m_first, m_last;
+};
+
+/** A file of the repository's config/, quoted for the shell. */
+std::string configFile(const std::string& name);
+/** What runs a program with the plugin, as `mapconv run` does; for the shell. */
+std::string withPlugin();
+}  // namespace mrpt_mapconv::testing

@@ -1,0 +1,140 @@
+#include <mrpt/io/CFileGZInputStream.h>
+#include <mrpt/maps/COccupancyGridMap2D.h>
+#include <mrpt/serialization/CArchive.h>
+#include <mrpt_mapconv/grid/OccupancyCell.h>
+
+#include <cmath>
+#include <cstdio>
+
+#include "SlamLog.h"
+
+// Stock pf-localization, from no idea where it is, in each kind of map that it can read.
+
+using namespace mrpt_mapconv;
+using namespace mrpt_mapconv::testing;
+
+namespace
+{
+constexpr double kFarOff = 1e9;
+
+/** How far the program's last estimate is from the truth [m]; very far if it made none. */
+double errorOfEstimate(const SlamLog& log)
+{
+  const std::string label = "PDF estimation: (";
+  const auto text = readBytes(log.file("said"));
+  const auto last = text.rfind(label);
+  double x = 0, y = 0;
+  if (last == std::string::npos) return kFarOff;
+  EXPECT_EQ(std::sscanf(text.c_str() + last + label.size(), "%lf,%lf", &x, &y), 2);
+  return std::hypot(x - log.lastPose().x(), y - log.lastPose().y());
+}
+
+/** A plain grid map's cells as occupancy, 0, 1 or unknown. */
+grid::Layer<float> cellsOf(const std::string& gridmap)
+{
+  mrpt::io::CFileGZInputStream file(gridmap);
+  mrpt::maps::COccupancyGridMap2D map;
+  mrpt::serialization::archiveFrom(file) >> map;
+  const double resolution = static_cast<double>(map.getResolution());
+  const auto key = [&](float metres)
+  { return static_cast<std::int32_t>(std::lround(static_cast<double>(metres) / resolution)); };
+  const grid::GridFrame frame{0.1, key(map.getXMin()), key(map.getYMin()),
+                              static_cast<std::int32_t>(map.getSizeX()),
+                              static_cast<std::int32_t>(map.getSizeY())};
+  EXPECT_NEAR(resolution, frame.resolution, 1e-6);
+  grid::Layer<float> cells(frame, grid::kUnknown);
+  for (std::int32_t y = 0; y < frame.height; ++y)
+    for (std::int32_t x = 0; x < frame.width; ++x)
+    {
+      const float free = map.getCell(x, y);
+      if (free > 0.6f) cells.at(x, y) = 0;
+      if (free < 0.4f) cells.at(x, y) = 1;
+    }
+  return cells;
+}
+
+int convert(const SlamLog& log)
+{
+  return log.run("'" MAPCONV_PROGRAM
+                 "' convert scans.simplemap -o maps --resolution 0.1 "
+                 "--min-clearance 0.5 --max-slope 0.5 --slope-window 1 --max-step 0.15");
+}
+
+int observations2map(const SlamLog& log)
+{
+  return log.run(withPlugin() + "observations2map " + configFile("observations2map.ini") +
+                 " scans.simplemap out");
+}
+
+/** Localizes, and gives the share of the map that the program says it used that is right. */
+double shareRightOfUsedMap(const SlamLog& log, const std::string& ini, const std::string& rawlog)
+{
+  log.run(withPlugin() + "pf-localization " + configFile(ini) + " " + rawlog);
+  return log.shareRight("LOG_PF_000_0040000/map_mrpt_mapconv__CFreeSpaceGridMap2D_00_layers.tif",
+                        false);
+}
+}  // namespace
+
+TEST(PfLocalization, FindsItselfInAPlainGridMapWithoutThePlugin)
+{
+  const SlamLog log;
+  ASSERT_EQ(convert(log), 0) << log.said();
+  std::filesystem::copy(log.file("maps/ground.gridmap"), log.file("map.gridmap"));
+  EXPECT_GE(log.shareRight(cellsOf(log.file("map.gridmap"))), 0.9);
+  for (const char* rawlog : {"scans.rawlog", "frames.rawlog"})
+  {
+    const std::string ini = configFile("pf-localization-gridmap.ini");
+    ASSERT_EQ(log.run("pf-localization " + ini + " " + rawlog), 0) << log.said();
+    EXPECT_LT(errorOfEstimate(log), 0.3) << rawlog << log.said();
+  }
+}
+
+TEST(PfLocalization, FindsItselfInTheMapOfObservations2map)
+{
+  const SlamLog log;
+  ASSERT_EQ(observations2map(log), 0) << log.said();
+  for (const char* rawlog : {"scans.rawlog", "frames.rawlog"})
+  {
+    EXPECT_GE(shareRightOfUsedMap(log, "pf-localization-freespace.ini", rawlog), 0.9) << log.said();
+    EXPECT_LT(errorOfEstimate(log), 0.3) << rawlog << log.said();
+  }
+}
+
+TEST(PfLocalization, FindsItselfInTheMapOfASimpleMap)
+{
+  const SlamLog log;
+  for (const char* rawlog : {"scans.rawlog", "frames.rawlog"})
+  {
+    EXPECT_GE(shareRightOfUsedMap(log, "pf-localization-simplemap.ini", rawlog), 0.9) << log.said();
+    EXPECT_LT(errorOfEstimate(log), 0.3) << rawlog << log.said();
+  }
+}
+
+TEST(PfLocalization, HasNoMapWithoutThe3DScans)
+{
+  SlamLog log;
+  log.remove3D();
+  convert(log);
+  EXPECT_LT(log.shareRight("maps/layers.tif", false), 0.9);
+  observations2map(log);
+  EXPECT_LT(shareRightOfUsedMap(log, "pf-localization-freespace.ini", "frames.rawlog"), 0.9);
+  EXPECT_GT(errorOfEstimate(log), 0.3);
+  EXPECT_LT(shareRightOfUsedMap(log, "pf-localization-simplemap.ini", "frames.rawlog"), 0.9);
+  EXPECT_GT(errorOfEstimate(log), 0.3);
+}
+
+/** A file of one class does not load into a map of the other. */
+TEST(PfLocalization, RefusesAMapOfTheOtherClass)
+{
+  const SlamLog log;
+  ASSERT_EQ(convert(log), 0) << log.said();
+  std::filesystem::copy(log.file("maps/ground.gridmap"), log.file("out_gridmap_no00.gridmap"));
+  EXPECT_NE(log.run(withPlugin() + "pf-localization " +
+                    configFile("pf-localization-freespace.ini") + " frames.rawlog"),
+            0);
+  ASSERT_EQ(observations2map(log), 0) << log.said();
+  std::filesystem::copy(log.file("out_gridmap_no00.gridmap"), log.file("map.gridmap"));
+  EXPECT_NE(
+      log.run("pf-localization " + configFile("pf-localization-gridmap.ini") + " frames.rawlog"),
+      0);
+}
