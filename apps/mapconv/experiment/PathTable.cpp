@@ -183,9 +183,9 @@ void addRows(const FreespaceResult& result, const FreespaceSettings& settings, R
                   std::to_string(counts.found), ground ? "-" : std::to_string(counts.touchWorld),
                   std::to_string(counts.leaveFree)});
   };
-  add("free-space projection, lifted", ours);
-  add("fixed, slice, flown at its middle", slice);
-  add("fixed, whole height, likewise", whole);
+  add("free-space projection and lifting", ours);
+  add("fixed: slice (flown at its middle)", slice);
+  add("fixed: whole height (likewise)", whole);
 }
 }  // namespace
 

@@ -22,12 +22,12 @@ std::vector<Candidate> candidatesOf(const FreespaceMaps& maps)
   const auto* aerial = &maps.truth.aerial;
   const auto* ground = &maps.truth.ground;
   return {{"aerial", "free-space projection", &maps.layers.aerial, aerial},
-          {"aerial", "fixed, slice", &maps.slice, aerial},
-          {"aerial", "fixed, whole height", &maps.wholeHeight, aerial},
-          {"ground", "free-space projection, Table I", &maps.layers.ground, ground},
-          {"ground", "free-space projection, strict", &maps.strict.ground, ground},
-          {"ground", "fixed, slice", &maps.slice, ground},
-          {"ground", "fixed, whole height", &maps.wholeHeight, ground}};
+          {"aerial", "fixed: slice", &maps.slice, aerial},
+          {"aerial", "fixed: whole height", &maps.wholeHeight, aerial},
+          {"ground", "free-space projection (Table I)", &maps.layers.ground, ground},
+          {"ground", "free-space projection (strict)", &maps.strict.ground, ground},
+          {"ground", "fixed: slice", &maps.slice, ground},
+          {"ground", "fixed: whole height", &maps.wholeHeight, ground}};
 }
 
 /** Share of all truly free cells, seen or not, that the map has as free. */

@@ -10,11 +10,11 @@ namespace mapconv
 {
 namespace
 {
-const PerMethod<const char*> kNames = {"free-space projection, all layers",
-                                       "fixed projection of the slice, ours",
-                                       "fixed projection of the whole height, ours",
-                                       "fixed projection of the slice, OctoMap's iterator",
-                                       "fixed projection of the whole height, OctoMap's iterator"};
+const PerMethod<const char*> kNames = {"free-space projection: all layers",
+                                       "fixed projection of the slice (ours)",
+                                       "fixed projection of the whole height (ours)",
+                                       "fixed projection of the slice (OctoMap's iterator)",
+                                       "fixed projection of the whole height (OctoMap's iterator)"};
 
 std::vector<double> updatesOf(const FreespaceResult& result, std::size_t method)
 {
