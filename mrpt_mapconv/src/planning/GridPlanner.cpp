@@ -1,3 +1,4 @@
+#include <mrpt_mapconv/grid/CellKey.h>
 #include <mrpt_mapconv/grid/OccupancyCell.h>
 #include <mrpt_mapconv/planning/GridPlanner.h>
 
@@ -48,15 +49,6 @@ void checkInput(const Layer<float>& occupancy, const TPoint2D& start, const TPoi
         "finite and not negative [m]");
 }
 
-/** Index of the cell that covers a coordinate within [first, end) · resolution. */
-std::int32_t cellIndex(double coordinate, double resolution, std::int32_t first)
-{
-  auto key = static_cast<std::int32_t>(std::floor(coordinate / resolution));
-  while (key * resolution > coordinate) --key;  // a quotient can round across a cell's side
-  while ((key + 1) * resolution <= coordinate) ++key;
-  return key - first;
-}
-
 bool contains(const GridFrame& frame, const TPoint2D& p)
 {
   return p.x >= frame.xMin() && p.x < frame.xMax() && p.y >= frame.yMin() && p.y < frame.yMax();
@@ -65,7 +57,8 @@ bool contains(const GridFrame& frame, const TPoint2D& p)
 /** The waypoint of a place that the frame contains. */
 Waypoint waypointAt(const GridFrame& frame, const TPoint2D& p)
 {
-  return {{cellIndex(p.x, frame.resolution, frame.x0), cellIndex(p.y, frame.resolution, frame.y0)},
+  return {{grid::cellKey(p.x, frame.resolution) - frame.x0,
+           grid::cellKey(p.y, frame.resolution) - frame.y0},
           p};
 }
 

@@ -75,7 +75,7 @@ TEST(CFreeSpaceGridMap2DInSlam, AnErasedGridIsLaidOutAnewBeforeItIsMatchedWith)
 {
   auto map = roomMap();
   mrpt::maps::CSimplePointsMap points;
-  for (float along = -2; along <= 2; along += 0.1f) points.insertPoint(3, along, 0);
+  for (int i = -20; i <= 20; ++i) points.insertPoint(3, 0.1f * static_cast<float>(i), 0);
   mrpt::maps::TMatchingParams params;
   params.maxDistForCorrespondence = 0.3f;
   const auto matches = [&](const CFreeSpaceGridMap2D& matched)
