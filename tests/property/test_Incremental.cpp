@@ -133,6 +133,55 @@ TEST(Incremental, LayingOutAnewStaysRareInAGrowingMap)
   }
 }
 
+/** Edits of one kind at a time, each a few scattered columns on both sides of block borders: only
+ * ceilings change, only walls, only floors (of which many lie beside unknown columns), or all. */
+TEST(Incremental, EditsOfOneKind)
+{
+  enum Kind
+  {
+    Ceilings,
+    Walls,
+    Floors,
+    Kinds
+  };
+  for (unsigned seed = 1; seed <= 24 && !HasFailure(); ++seed)
+  {
+    Rng rng(seed);
+    octomap::OcTree tree(0.1);
+    const auto mark = [&](int kx, int ky, int kz, bool occupied)
+    { tree.setNodeValue(oracle::octomapKey(kx, ky, kz), occupied ? 0.85f : -0.4f); };
+    const auto isWall = [](int kx, int ky) { return (kx + 3 * ky) % 7 == 0; };
+    for (int ky = -36; ky < 36; ++ky)
+      for (int kx = -36; kx < 36; ++kx)
+        for (int kz = 0; kz < 24 && (kx * kx + ky) % 5 != 0; ++kz)
+          mark(kx, ky, kz, isWall(kx, ky) ? chance(rng, 70) : kz == 0 || kz == 23);
+    const Source source(tree);
+    freespace::ConversionParams params = randomParams(rng, 0.1);
+    params.minClearance = 0.4;
+    freespace::IncrementalLayers followed(params, 1 + static_cast<int>(seed % 2));
+    followed.rebuild(source);
+    for (int step = 0; step < 12 && !HasFailure(); ++step)
+    {
+      const int kind = pick(rng, 0, Kinds);
+      SCOPED_TRACE("seed " + std::to_string(seed) + ", step " + std::to_string(step) + ", kind " +
+                   std::to_string(kind) + "; " + text(params));
+      voxel::ColumnSet changed;
+      for (int i = pick(rng, 1, 40); i > 0; --i)
+      {
+        const int border = 32 * pick(rng, -1, 1);
+        const int kx = border + pick(rng, -2, 1), ky = pick(rng, -36, 35);
+        if (kx < -36 || kx > 35 || (kind == Walls) != isWall(kx, ky)) continue;
+        const bool low = kind == Floors || (kind == Kinds && chance(rng, 50));
+        const int kz = kind == Walls ? pick(rng, 0, 23) : low ? pick(rng, 0, 4) : pick(rng, 18, 23);
+        mark(kx, ky, kz, chance(rng, 50));
+        changed.insert(kx, ky);
+      }
+      followed.update(source, changed);
+      expectFollows(followed, source);
+    }
+  }
+}
+
 /** A voxel source that keeps account of the columns that are asked for. */
 class WatchedSource : public voxel::VoxelSource
 {

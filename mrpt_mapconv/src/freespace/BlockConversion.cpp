@@ -1,6 +1,10 @@
 #include "BlockConversion.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstring>
+
+#include "NearColumns.h"
 
 namespace mrpt_mapconv::freespace
 {
@@ -42,46 +46,103 @@ BlockRect boundsOf(const voxel::ColumnMask& mask)
   rect.xEnd = any ? 32 - __builtin_clz(any) : 0;
   return rect;
 }
+
+voxel::ColumnMask operator&(voxel::ColumnMask a, const voxel::ColumnMask& b)
+{
+  for (std::size_t y = 0; y < a.size(); ++y) a[y] &= b[y];
+  return a;
+}
+
+voxel::ColumnMask operator|(voxel::ColumnMask a, const voxel::ColumnMask& b)
+{
+  for (std::size_t y = 0; y < a.size(); ++y) a[y] |= b[y];
+  return a;
+}
+
+voxel::ColumnMask operator~(voxel::ColumnMask a)
+{
+  for (auto& row : a) row = ~row;
+  return a;
+}
+
+bool any(const voxel::ColumnMask& mask)
+{
+  std::uint32_t rows = 0;
+  for (const auto row : mask) rows |= row;
+  return rows != 0;
+}
+
+std::uint32_t bitIf(bool set, std::int32_t x) { return static_cast<std::uint32_t>(set) << x; }
+
+bool sameBits(float a, float b) { return std::memcmp(&a, &b, sizeof(float)) == 0; }
 }  // namespace
 
+void Differences::note(const BlockJob& job)
+{
+  if (!any(job.newSpan)) return;
+  newSpan.emplace(job.key, job.newSpan);
+  if (any(job.newFloor)) newFloor.emplace(job.key, job.newFloor);
+}
+
+void Differences::forget(voxel::BlockKey key)
+{
+  newSpan.erase(key);
+  newFloor.erase(key);
+}
+
 HeightPass::HeightPass(const voxel::VoxelSource& source, const ConversionParams& params,
-                       Layers& layers)
-    : m_source(source), m_layers(layers), m_spans(params.minRunVoxels(source.resolution()))
+                       Layers& layers, bool blank)
+    : m_source(source),
+      m_layers(layers),
+      m_blank(blank),
+      m_spans(params.minRunVoxels(source.resolution()))
 {
 }
 
 void HeightPass::run(BlockJob& job)
 {
-  m_block.start(job.key, job.read);
+  if (!any(job.changed)) return;
+  m_block.start(job.key, job.changed);
   m_source.read(m_block);
   m_spans.start(m_block);
   collectWalls(job, writeHeights(job));
 }
 
-/** Writes floor and ceiling of the columns to read. Returns those with a kept free range. */
-voxel::ColumnMask HeightPass::writeHeights(const BlockJob& job)
+/** Writes floor and ceiling of the changed columns and notes which differ from before. Returns
+ * those with a kept free range. */
+voxel::ColumnMask HeightPass::writeHeights(BlockJob& job)
 {
   const double res = m_layers.frame().resolution;
   const BlockPlace place(job.key, m_layers.frame());
+  // to look at what blank layers hold would mean to wait for memory
+  const auto replace = [&](float& cell, float value)
+  {
+    const bool differs = m_blank ? !std::isnan(value) : !sameBits(cell, value);
+    cell = value;
+    return differs;
+  };
   voxel::ColumnMask free{};
-  forEachRow(job.read,
+  forEachRow(job.changed,
              [&](std::int32_t y, std::uint32_t row)
              {
-               float* floor = m_layers.floor.row(place.y + y);
-               float* ceiling = m_layers.ceiling.row(place.y + y);
-               std::uint32_t freeRow = 0;
+               float* floor = m_layers.floor.row(place.y + y) + place.x;
+               float* ceiling = m_layers.ceiling.row(place.y + y) + place.x;
+               std::uint32_t freeRow = 0, newFloor = 0, newCeiling = 0;
                forEachInRow(row,
                             [&](std::int32_t x)
                             {
                               const FreeSpan span = m_spans.span(y * kBlockSide + x);
                               const bool valid = span.valid();
-                              floor[place.x + x] =
-                                  valid ? static_cast<float>(span.floor * res) : Layers::kNone;
-                              ceiling[place.x + x] =
-                                  valid ? static_cast<float>(span.ceiling * res) : Layers::kNone;
-                              freeRow |= static_cast<std::uint32_t>(valid) << x;
+                              const auto height = [&](std::int32_t key)
+                              { return valid ? static_cast<float>(key * res) : Layers::kNone; };
+                              freeRow |= bitIf(valid, x);
+                              newFloor |= bitIf(replace(floor[x], height(span.floor)), x);
+                              newCeiling |= bitIf(replace(ceiling[x], height(span.ceiling)), x);
                             });
-               free[static_cast<std::size_t>(y)] = freeRow;
+               const auto at = static_cast<std::size_t>(y);
+               free[at] = freeRow;
+               job.newFloor[at] = newFloor;
+               job.newSpan[at] = newFloor | newCeiling;
              });
   return free;
 }
@@ -91,7 +152,7 @@ voxel::ColumnMask HeightPass::writeHeights(const BlockJob& job)
 void HeightPass::collectWalls(BlockJob& job, const voxel::ColumnMask& free)
 {
   constexpr std::uint32_t rim = 0x80000001u;  // their neighbours lie in other blocks
-  const auto maybeFree = [&](std::size_t y) { return free[y] | ~job.read[y]; };
+  const auto maybeFree = [&](std::size_t y) { return free[y] | ~job.changed[y]; };
   voxel::ColumnMask candidates{};
   for (std::size_t y = 0; y < candidates.size(); ++y)
   {
@@ -102,7 +163,7 @@ void HeightPass::collectWalls(BlockJob& job, const voxel::ColumnMask& free)
       const std::uint32_t rows = maybeFree(y - 1) | maybeFree(y) | maybeFree(y + 1);
       near = rim | rows | rows << 1 | rows >> 1;
     }
-    candidates[y] = job.read[y] & ~free[y] & near;
+    candidates[y] = job.changed[y] & ~free[y] & near;
   }
   job.walls.clear();
   if (m_block.words() > 0)
@@ -114,8 +175,11 @@ void HeightPass::collectWalls(BlockJob& job, const voxel::ColumnMask& free)
                });
 }
 
-OccupancyPass::OccupancyPass(const ConversionParams& params, Layers& layers)
-    : m_params(params),
+OccupancyPass::OccupancyPass(const voxel::VoxelSource& source, const ConversionParams& params,
+                             const Differences& differences, Layers& layers)
+    : m_source(source),
+      m_params(params),
+      m_differences(differences),
       m_layers(layers),
       m_checkSteps(params.maxStep > 0),
       m_maxStep(params.maxStepVoxels(layers.frame().resolution)),
@@ -125,17 +189,65 @@ OccupancyPass::OccupancyPass(const ConversionParams& params, Layers& layers)
 {
 }
 
-void OccupancyPass::run(const BlockJob& job)
-{
-  m_floors.load(m_layers.floor, job.key);
-  writeAerial(job);
-  writeSlopeAndGround(job);
-}
-
-void OccupancyPass::writeAerial(const BlockJob& job)
+void OccupancyPass::run(BlockJob& job)
 {
   const BlockPlace place(job.key, m_layers.frame());
-  forEachRow(job.read,
+  const auto besideNew = withoutFloor(columnsBesideNewSpans(job), place);
+  const auto newSlope =
+      columnsNear(m_differences.newFloor, job.key, m_params.slopeWindow) & job.reach;
+  const auto newAerial = job.changed | besideNew;
+  if (!any(newAerial | newSlope)) return;
+
+  readWalls(besideNew, job);
+  m_floors.load(m_layers.floor, job.key);
+  writeAerial(job, newAerial);
+  writeGroundWithoutFloor(place, newAerial & ~newSlope);
+  writeSlopeAndGround(place, newSlope);
+  job.walls = std::vector<OccupiedRun>();  // gives the memory back, which clear() would not
+}
+
+/** The columns that were not read but touch one whose free range has changed. */
+voxel::ColumnMask OccupancyPass::columnsBesideNewSpans(const BlockJob& job) const
+{
+  const auto notRead = job.reach & ~job.changed;
+  return any(notRead) ? notRead & columnsNear(m_differences.newSpan, job.key, 1) : notRead;
+}
+
+voxel::ColumnMask OccupancyPass::withoutFloor(const voxel::ColumnMask& columns,
+                                              const BlockPlace& place) const
+{
+  voxel::ColumnMask out{};
+  forEachRow(columns,
+             [&](std::int32_t y, std::uint32_t row)
+             {
+               const float* floor = m_layers.floor.row(place.y + y) + place.x;
+               std::uint32_t without = 0;
+               forEachInRow(row,
+                            [&](std::int32_t x) { without |= bitIf(std::isnan(floor[x]), x); });
+               out[static_cast<std::size_t>(y)] = without;
+             });
+  return out;
+}
+
+/** Reads the occupied runs of columns without a free range. */
+void OccupancyPass::readWalls(const voxel::ColumnMask& columns, BlockJob& job)
+{
+  if (!any(columns)) return;
+  m_block.start(job.key, columns);
+  m_source.read(m_block);
+  if (m_block.words() == 0) return;
+  forEachRow(columns,
+             [&](std::int32_t y, std::uint32_t row)
+             {
+               forEachInRow(row, [&](std::int32_t x)
+                            { appendOccupiedRuns(m_block, y * kBlockSide + x, job.walls); });
+             });
+}
+
+void OccupancyPass::writeAerial(const BlockJob& job, const voxel::ColumnMask& columns)
+{
+  const BlockPlace place(job.key, m_layers.frame());
+  forEachRow(columns,
              [&](std::int32_t y, std::uint32_t row)
              {
                float* aerial = m_layers.aerial.row(place.y + y);
@@ -182,11 +294,29 @@ float OccupancyPass::wallOccupancy(const BlockPlace& place, std::int32_t x, std:
   return blocked ? static_cast<float>(best) : grid::kUnknown;
 }
 
-void OccupancyPass::writeSlopeAndGround(const BlockJob& job)
+/** For columns whose slope stays: where there is a floor nothing else changes either. */
+void OccupancyPass::writeGroundWithoutFloor(const BlockPlace& place,
+                                            const voxel::ColumnMask& columns)
 {
-  m_slopeFilter.compute(m_floors, boundsOf(job.touched), m_slope);
-  const BlockPlace place(job.key, m_layers.frame());
-  forEachRow(job.touched,
+  forEachRow(columns,
+             [&](std::int32_t y, std::uint32_t row)
+             {
+               const float* aerial = m_layers.aerial.row(place.y + y) + place.x;
+               float* ground = m_layers.ground.row(place.y + y) + place.x;
+               const std::int32_t* floor = m_floors.at(0, y);
+               forEachInRow(row,
+                            [&](std::int32_t x)
+                            {
+                              if (floor[x] == FloorTile::kNoFloor) ground[x] = aerial[x];
+                            });
+             });
+}
+
+void OccupancyPass::writeSlopeAndGround(const BlockPlace& place, const voxel::ColumnMask& columns)
+{
+  if (!any(columns)) return;
+  m_slopeFilter.compute(m_floors, boundsOf(columns), m_slope);
+  forEachRow(columns,
              [&](std::int32_t y, std::uint32_t row)
              {
                const double* slopes = m_slope.data() + y * kBlockSide;

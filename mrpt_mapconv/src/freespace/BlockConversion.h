@@ -2,6 +2,7 @@
 
 #include <mrpt_mapconv/freespace/ConversionParams.h>
 #include <mrpt_mapconv/freespace/Layers.h>
+#include <mrpt_mapconv/voxel/ColumnSet.h>
 #include <mrpt_mapconv/voxel/VoxelSource.h>
 
 #include <array>
@@ -13,14 +14,26 @@
 
 namespace mrpt_mapconv::freespace
 {
-/** What has to be done in one block of columns. */
+/** What has to be done in one block of columns, and what the first pass has found there. */
 struct BlockJob
 {
   voxel::BlockKey key;
-  voxel::ColumnMask read{};     //!< columns whose voxels, heights and aerial occupancy are due
-  voxel::ColumnMask touched{};  //!< columns whose slope and ground occupancy are due; holds `read`
-  std::vector<OccupiedRun>
-      walls;  //!< occupied runs of read columns that are not free but may touch a free one
+  voxel::ColumnMask changed{};  //!< columns whose voxels may have changed: to be read
+  voxel::ColumnMask reach{};  //!< columns whose layers may depend on those, here or in other blocks
+
+  voxel::ColumnMask newFloor{};    //!< of `changed`: the floor differs from what the layer held
+  voxel::ColumnMask newSpan{};     //!< of `changed`: floor or ceiling differs
+  std::vector<OccupiedRun> walls;  //!< occupied runs of columns that are not free but may touch a
+                                   //!< free one; column by column
+};
+
+/** The columns whose floor or free range the first pass has found to differ. */
+struct Differences
+{
+  voxel::ColumnSet::Blocks newFloor, newSpan;
+
+  void note(const BlockJob& job);
+  void forget(voxel::BlockKey key);
 };
 
 /** Where a block lies in a layer's frame: index of its first cell, which may be outside. */
@@ -33,42 +46,54 @@ struct BlockPlace
   std::int32_t x, y;
 };
 
-/** First pass over a block: voxels → floor, ceiling and walls. */
+/** First pass over a block: the changed columns' voxels → floor, ceiling and walls. */
 class HeightPass
 {
  public:
-  HeightPass(const voxel::VoxelSource& source, const ConversionParams& params, Layers& layers);
+  /** \param blank whether the layers hold nothing yet: all unknown */
+  HeightPass(const voxel::VoxelSource& source, const ConversionParams& params, Layers& layers,
+             bool blank);
   void run(BlockJob& job);
 
  private:
-  voxel::ColumnMask writeHeights(const BlockJob& job);
+  voxel::ColumnMask writeHeights(BlockJob& job);
   void collectWalls(BlockJob& job, const voxel::ColumnMask& free);
 
   const voxel::VoxelSource& m_source;
   Layers& m_layers;
+  bool m_blank;
   voxel::ColumnBlock m_block;
   FreeSpanFinder m_spans;
 };
 
-/** Second pass, once the floors around the block are known: slope and both occupancies. */
+/** Second pass, once the floors around the block are known: slope and both occupancies of the
+ * changed columns and of those that depend on a difference nearby. */
 class OccupancyPass
 {
  public:
-  OccupancyPass(const ConversionParams& params, Layers& layers);
-  void run(const BlockJob& job);
+  OccupancyPass(const voxel::VoxelSource& source, const ConversionParams& params,
+                const Differences& differences, Layers& layers);
+  void run(BlockJob& job);
 
  private:
-  void writeAerial(const BlockJob& job);
-  void writeSlopeAndGround(const BlockJob& job);
+  voxel::ColumnMask columnsBesideNewSpans(const BlockJob& job) const;
+  voxel::ColumnMask withoutFloor(const voxel::ColumnMask& columns, const BlockPlace& place) const;
+  void readWalls(const voxel::ColumnMask& columns, BlockJob& job);
+  void writeAerial(const BlockJob& job, const voxel::ColumnMask& columns);
+  void writeGroundWithoutFloor(const BlockPlace& place, const voxel::ColumnMask& columns);
+  void writeSlopeAndGround(const BlockPlace& place, const voxel::ColumnMask& columns);
   float wallOccupancy(const BlockPlace& place, std::int32_t x, std::int32_t y,
                       const OccupiedRun* begin, const OccupiedRun* end) const;
   bool hasStep(const std::int32_t* floor) const;
 
+  const voxel::VoxelSource& m_source;
   const ConversionParams& m_params;
+  const Differences& m_differences;
   Layers& m_layers;
   bool m_checkSteps;
   std::int32_t m_maxStep;  // voxels
   double m_inverseResolution;
+  voxel::ColumnBlock m_block;
   FloorTile m_floors;
   SlopeFilter m_slopeFilter;
   std::array<double, voxel::kBlockColumns> m_slope{};

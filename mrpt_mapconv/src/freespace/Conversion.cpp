@@ -28,12 +28,13 @@ using Strip = std::vector<BlockJob>;
 class Strips
 {
  public:
-  /** \param halo cells around a block that its second pass looks at */
-  Strips(const voxel::ColumnSet& read, const voxel::ColumnSet& touched, std::int32_t halo)
-      : m_read(read), m_touched(touched), m_leastRows((halo - 1) / voxel::kBlockSide + 1)
+  /** \param reach columns that may depend on those in `changed`
+   * \param halo cells around a block that its second pass looks at */
+  Strips(const voxel::ColumnSet& changed, const voxel::ColumnSet& reach, std::int32_t halo)
+      : m_changed(changed), m_reach(reach), m_leastRows((halo - 1) / voxel::kBlockSide + 1)
   {
-    m_keys.reserve(touched.blocks().size());
-    for (const auto& [key, mask] : touched.blocks()) m_keys.push_back(key);
+    m_keys.reserve(reach.blocks().size());
+    for (const auto& [key, mask] : reach.blocks()) m_keys.push_back(key);
     std::sort(m_keys.begin(), m_keys.end(),
               [](const voxel::BlockKey& a, const voxel::BlockKey& b)
               { return std::tie(a.y, a.x) < std::tie(b.y, b.x); });
@@ -59,52 +60,57 @@ class Strips
   {
     BlockJob job;
     job.key = key;
-    job.touched = m_touched.blocks().at(key);
-    if (const auto it = m_read.blocks().find(key); it != m_read.blocks().end())
-      job.read = it->second;
+    job.reach = m_reach.blocks().at(key);
+    if (const auto it = m_changed.blocks().find(key); it != m_changed.blocks().end())
+      job.changed = it->second;
     return job;
   }
 
-  const voxel::ColumnSet& m_read;
-  const voxel::ColumnSet& m_touched;
+  const voxel::ColumnSet& m_changed;
+  const voxel::ColumnSet& m_reach;
   std::int32_t m_leastRows;  // so that a strip's second pass needs no more than the next strip
   std::vector<voxel::BlockKey> m_keys;
   std::size_t m_next = 0;
 };
 
-/** Brings the layers up to date: reads the columns `read`, then writes slope and ground occupancy
- * of the columns `touched`, which hold them. Full conversion is "all columns". The second pass of a
- * strip runs once the first pass of the next one has found the floors there. */
-void convertColumns(const voxel::VoxelSource& source, const voxel::ColumnSet& read,
-                    const voxel::ColumnSet& touched, const ConversionParams& params, int threads,
-                    Layers& layers)
+/** Brings the layers up to date with the changed columns, of which full conversion is "all".
+ * `reach` holds every column that may depend on them; `blank` says that the layers are all unknown.
+ * The second pass of a strip runs once the
+ * first pass of the next one has found the floors there. */
+void convertColumns(const voxel::VoxelSource& source, const voxel::ColumnSet& changed,
+                    const voxel::ColumnSet& reach, const ConversionParams& params, int threads,
+                    Layers& layers, bool blank)
 {
+  Differences differences;  // of the strip at hand, the one before and the one after
   const auto findHeights = [&](Strip& strip)
   {
     inParallel(strip.size(), threads,
                [&](std::size_t begin, std::size_t end)
                {
-                 HeightPass heights(source, params, layers);
+                 HeightPass heights(source, params, layers, blank);
                  for (std::size_t i = begin; i < end; ++i) heights.run(strip[i]);
                });
+    for (const BlockJob& job : strip) differences.note(job);
   };
-  const auto findOccupancy = [&](const Strip& strip)
+  const auto findOccupancy = [&](Strip& strip)
   {
     inParallel(strip.size(), threads,
                [&](std::size_t begin, std::size_t end)
                {
-                 OccupancyPass occupancy(params, layers);
+                 OccupancyPass occupancy(source, params, differences, layers);
                  for (std::size_t i = begin; i < end; ++i) occupancy.run(strip[i]);
                });
   };
-  Strips strips(read, touched, params.slopeWindow);
-  Strip strip = strips.next();
+  Strips strips(changed, reach, params.slopeWindow);
+  Strip before, strip = strips.next();
   findHeights(strip);
   while (!strip.empty())
   {
     Strip next = strips.next();
     findHeights(next);
     findOccupancy(strip);
+    for (const BlockJob& job : before) differences.forget(job.key);
+    before = std::move(strip);
     strip = std::move(next);
   }
 }
@@ -114,7 +120,7 @@ Layers convertOn(const grid::GridFrame& frame, const voxel::VoxelSource& source,
 {
   Layers layers(frame);
   const auto all = voxel::ColumnSet::of(frame);
-  convertColumns(source, all, all, params, threads, layers);
+  convertColumns(source, all, all, params, threads, layers, true);
   return layers;
 }
 
@@ -206,11 +212,8 @@ bool IncrementalLayers::update(const voxel::VoxelSource& source, const voxel::Co
   if (inside.empty()) return false;
   const grid::GridFrame frame = grownFrame(old, inside.bounds(source.resolution()));
   if (frame != old) m_layers = m_layers.onFrame(frame);
-  // One cell around a change is read as well: a neighbour's free range decides how occupied a wall
-  // is.
-  convertColumns(source, inside.dilated(1).clipped(frame),
-                 columnsDependingOn(inside, m_params).clipped(frame), m_params, m_threads,
-                 m_layers);
+  convertColumns(source, inside, columnsDependingOn(inside, m_params).clipped(frame), m_params,
+                 m_threads, m_layers, false);
   return frame != old;
 }
 

@@ -95,8 +95,9 @@ void collectStack(const Node* node, std::int32_t x, std::int32_t y, std::int32_t
       collectStack(child, x, y, z + (up ? half : 0), half, out);
 }
 
-/** Marks the leaves below a node of the block's size. */
-template <class Tree>
+/** Marks the leaves below a node of the block's size.
+ * \tparam all whether all columns are wanted; known beforehand, the test for it costs nothing */
+template <class Tree, bool all>
 class BlockMarker
 {
  public:
@@ -106,29 +107,32 @@ class BlockMarker
       : m_block(block), m_occupiedFrom(tree.getOccupancyThresLog())
   {
     m_missing.setLogOdds(-std::numeric_limits<float>::infinity());
-    m_all = true;
-    for (const auto row : block.wanted()) m_all &= row == kFullRow;
   }
 
   /** The cube of `size`³ voxels with its lowest corner at column (x, y), signed z key z. */
   template <std::int32_t size>
   void mark(const Node* node, std::int32_t x, std::int32_t y, std::int32_t z)
   {
-    if (!m_all && !wanted<size>(x, y)) return;
     constexpr std::int32_t half = size / 2;
     bool leaf = true;
     if (const Children<Node> children(node); children)
     {
+      const unsigned due = wantedChildren<half>(x, y);
       if constexpr (size == 2)
-        leaf = !markOctet(children, x, y, z);
+        leaf = !markOctet(children, due, x, y, z);
       else
+      {
+        if constexpr (!all) fetch(children, due);
         for (unsigned i = 0; i < 8; ++i)
         {
           const Node* child = children[i];
           if (!child) continue;
           leaf = false;
-          mark<half>(child, x + (i & 1 ? half : 0), y + (i & 2 ? half : 0), z + (i & 4 ? half : 0));
+          if (due >> i & 1u)
+            mark<half>(child, x + (i & 1 ? half : 0), y + (i & 2 ? half : 0),
+                       z + (i & 4 ? half : 0));
         }
+      }
     }
     if (leaf) m_block.markCube<size>(x, y, z, isOccupied(node));
   }
@@ -137,8 +141,17 @@ class BlockMarker
   /** As Tree::isNodeOccupied, with the threshold at hand. */
   bool isOccupied(const Node* node) const { return node->getLogOdds() >= m_occupiedFrom; }
 
-  /** Marks the finest voxels below a node; false if there is none. */
-  bool markOctet(const Children<Node>& children, std::int32_t x, std::int32_t y, std::int32_t z)
+  /** Lets the memory look for the children at the same time. For scattered columns their nodes are
+   * rarely in a cache; a walk over all the leaves finds most of them there and would only pay. */
+  static void fetch(const Children<Node>& children, unsigned due)
+  {
+    for (unsigned i = 0; i < 8; ++i)
+      if (due >> i & 1u) __builtin_prefetch(children[i]);
+  }
+
+  /** Marks the finest voxels below a node, as far as they are due; false if there is none. */
+  bool markOctet(const Children<Node>& children, unsigned due, std::int32_t x, std::int32_t y,
+                 std::int32_t z)
   {
     // No branches: at the rim of what is known it is chance which voxels exist, and a wrongly
     // foreseen branch costs more than looking at a stand-in for a missing voxel.
@@ -147,28 +160,50 @@ class BlockMarker
     {
       const Node* child = children[i];
       known |= static_cast<unsigned>(child != nullptr) << i;
-      occupied |= static_cast<unsigned>(isOccupied(child ? child : &m_missing)) << i;
+      occupied |= static_cast<unsigned>(isOccupied(child && due >> i & 1u ? child : &m_missing))
+                  << i;
     }
     if (!known) return false;
-    m_block.markOctet(x, y, z, known & ~occupied, occupied);
+    m_block.markOctet(x, y, z, known & due & ~occupied, occupied);
     return true;
   }
 
+  /** Which of the 8 children of `size`³ voxels, the lowest at (x, y), have wanted columns. */
   template <std::int32_t size>
-  bool wanted(std::int32_t x, std::int32_t y) const
+  unsigned wantedChildren(std::int32_t x, std::int32_t y) const
   {
-    constexpr std::uint32_t side = size == kBlockSide ? kFullRow : (1u << (size % kBlockSide)) - 1;
-    std::uint32_t any = 0;
-    for (std::int32_t row = y; row < y + size; ++row)
-      any |= m_block.wanted()[static_cast<std::size_t>(row)];
-    return any >> x & side;
+    if constexpr (all) return 0xFFu;
+    const auto inRows = [&](std::int32_t begin)
+    {
+      std::uint32_t any = 0;
+      for (std::int32_t row = begin; row < begin + size; ++row)
+        any |= m_block.wanted()[static_cast<std::size_t>(row)];
+      constexpr std::uint32_t side = (1u << size) - 1;
+      return static_cast<unsigned>((any >> x & side) != 0) |
+             static_cast<unsigned>((any >> (x + size) & side) != 0) << 1;
+    };
+    return 0x11u * (inRows(y) | inRows(y + size) << 2);
   }
 
   ColumnBlock& m_block;
   float m_occupiedFrom;  // log-odds
   Node m_missing;        // stands for a voxel that does not exist; not occupied
-  bool m_all;
 };
+
+template <bool all, class Tree>
+void markStack(const Tree& tree, const std::vector<StackedNode<typename Tree::NodeType>>& stack,
+               ColumnBlock& block)
+{
+  BlockMarker<Tree, all> marker(tree, block);
+  for (const auto& [node, key, size] : stack)
+  {
+    const std::int32_t z = key - kOctomapKeyOffset;
+    if (size == kBlockSide)
+      marker.template mark<kBlockSide>(node, 0, 0, z);
+    else
+      block.markSlab(z, z + size, tree.isNodeOccupied(node));
+  }
+}
 }  // namespace
 
 template <class Tree>
@@ -202,15 +237,11 @@ void OctreeSource<Tree>::read(ColumnBlock& block) const
 
   block.setHeight(stack.front().z - kOctomapKeyOffset,
                   stack.back().z + stack.back().size - kOctomapKeyOffset);
-  BlockMarker<Tree> marker(m_tree, block);
-  for (const auto& [node, key, size] : stack)
-  {
-    const std::int32_t z = key - kOctomapKeyOffset;
-    if (size == kBlockSide)
-      marker.template mark<kBlockSide>(node, 0, 0, z);
-    else
-      block.markSlab(z, z + size, m_tree.isNodeOccupied(node));
-  }
+  const auto& wanted = block.wanted();
+  if (std::all_of(wanted.begin(), wanted.end(), [](auto row) { return row == kFullRow; }))
+    markStack<true>(m_tree, stack, block);
+  else
+    markStack<false>(m_tree, stack, block);
 }
 
 template class OctreeSource<octomap::OcTree>;
