@@ -67,9 +67,23 @@ else
   convert velodyne "$data/test_velodyne_VLP16.rawlog" --resolution 0.4 --min-clearance 0.4
   convert rgbd "$data/tests_rgbd.rawlog" --resolution 0.05 --min-clearance 0.3
 fi
+show() { # the pictures that say most, side by side; on a desktop in a window
+  local pictures=() picture
+  for picture in "$out/building"/{run/truth_ground,icp-slam/LOG_ICP-SLAM/*_ground,map/floor,paths/ground,paths/aerial}.png; do
+    [ -f "$picture" ] && pictures+=("$picture")
+  done
+  [ ${#pictures[@]} -gt 0 ] || return 0
+  montage "${pictures[@]}" -tile 3x -geometry 800x700+8+8 "$out/overview.png" || return 0
+  echo "Overview: $out/overview.png"
+  if [ -t 1 ] && [ -n "${DISPLAY:-}" ] && command -v xdg-open >/dev/null; then
+    xdg-open "$out/overview.png" >/dev/null 2>&1 &
+  fi
+}
+
 echo
 echo "Pictures:"
 find "${made[@]}" -name '*.png' | sort
 echo "In 3D:"
 find "${made[@]}" -name '*.3Dscene' | sort | while read -r scene; do printf 'SceneViewer3D %q\n' "$scene"; done
+[ $# -gt 0 ] || show
 echo "The program: $mapconv (try: $mapconv --help)"

@@ -11,6 +11,7 @@
 #include "Console.h"
 #include "Interruptible.h"
 #include "experiment/Experiments.h"
+#include "experiment/Gnuplot.h"
 
 namespace mapconv
 {
@@ -37,6 +38,7 @@ void runByKind(const ExperimentJob& job, Report& report)
 std::string runExperiment(const ExperimentOptions& options, grid::OutputDir& out,
                           Progress& progress)
 {
+  checkGnuplot();  // now, not after minutes of computing
   const mrpt::config::CConfigFileMemory ini(maps::readIniText(options.iniFile));
   Report report(out, "Experiment " + options.iniFile);
   report.addText("Made by `mapconv experiment " + options.iniFile +

@@ -22,6 +22,19 @@ CLI::Validator isPositive()
 }
 }  // namespace
 
+CLI::Validator isNotNegative()
+{
+  return CLI::Validator(
+      [](std::string& text)
+      {
+        double value = 0;
+        const bool ok = !text.empty() && CLI::detail::lexical_cast(text, value) &&
+                        std::isfinite(value) && value >= 0;
+        return ok ? std::string() : "'" + text + "' is not valid: it must be a number >= 0";
+      },
+      "");
+}
+
 CLI::Validator isNumber()
 {
   return CLI::Validator(

@@ -20,6 +20,9 @@ struct InputOptions
 
 void addInputOptions(CLI::App& app, InputOptions& options);
 
+/** Accepts finite numbers from 0 on. */
+CLI::Validator isNotNegative();
+
 /** Accepts whatever number the parser reads but NaN. */
 CLI::Validator isNumber();
 

@@ -4,7 +4,9 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <filesystem>
 #include <memory>
+#include <stdexcept>
 
 #include "Command.h"
 #include "Console.h"
@@ -24,14 +26,32 @@ struct LiftOptions : PathOptions
 
 constexpr double kSafetyRadius = 0.3;
 
+/** The lifted path; what is wrong with the file's points is said with its name. */
+path::LiftedPath lifted(const std::vector<mrpt::math::TPoint2D>& path2D, const MapFolder& map,
+                        const path::LiftParams& params, const std::string& file)
+{
+  try
+  {
+    return path::liftPath(path2D, map.layers(), map.params(), params, map.voxels());
+  }
+  catch (const std::invalid_argument& error)
+  {
+    throw std::runtime_error(file + ": " + error.what());
+  }
+}
+
 int lift(const LiftOptions& options)
 {
+  checkCsvName(options.outputFile);
+  std::error_code ignored;
+  if (std::filesystem::equivalent(options.pathFile, options.outputFile, ignored))
+    throw UsageError("-o " + options.outputFile + " is the path that is to be lifted");
   ResultOutput result;
   const auto path2D = readPath2D(options.pathFile);
   const MapFolder map(options.dir);
   const auto params =
       liftParamsOf(options, map, std::min(kSafetyRadius, map.params().minClearance / 2));
-  const auto path = path::liftPath(path2D, map.layers(), map.params(), params, map.voxels());
+  const auto path = lifted(path2D, map, params, options.pathFile);
   if (const auto problem = path.firstProblem())
   {
     const auto bad =

@@ -5,9 +5,11 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <vector>
 
 #include "Command.h"
+#include "Console.h"
 #include "InputOptions.h"
 
 namespace mapconv
@@ -37,6 +39,22 @@ PathFigures figuresOf(const path::LiftedPath& path)
   }
   return figures;
 }
+
+void checkSafetyRadius(double radius, const PathOptions& options, double minClearance)
+{
+  if (radius > 0 && radius <= minClearance / 2) return;
+  throw UsageError(std::string(options.safetyRadius ? "--safety-radius " : "--robot-radius ") +
+                   jsonNumber(radius) + " is not valid for an aerial robot: " +
+                   "it must be > 0 and at most half of the map's minClearance = " +
+                   jsonNumber(minClearance) + " m");
+}
+
+void warnOfSphereOptions(const PathOptions& options)
+{
+  if (options.safetyRadius) printWarning("--safety-radius has no effect: a ground robot has none");
+  if (options.unknownIsPassable)
+    printWarning("--unknown-is-passable has no effect: a ground robot has no sphere");
+}
 }  // namespace
 
 void addPathOptions(CLI::App& app, PathOptions& options, const std::string& safetyDefault)
@@ -52,16 +70,16 @@ void addPathOptions(CLI::App& app, PathOptions& options, const std::string& safe
   app.add_option("--height-offset", options.heightOffset,
                  "height above the highest floor around [m], default 0 for a ground robot, half "
                  "the map's minClearance for an aerial one")
-      ->check(isNumber())
+      ->check(isNotNegative())
       ->type_name("M");
   app.add_option("--lookahead", options.lookahead,
                  "how far ahead and behind the floor is looked at, along the path [m], default 0.5")
-      ->check(isNumber())
+      ->check(isNotNegative())
       ->type_name("M");
   app.add_option("--safety-radius", options.safetyRadius,
                  "of an aerial robot's sphere [m], at most half the map's minClearance, default " +
                      safetyDefault)
-      ->check(isNumber())
+      ->check(isNotNegative())
       ->type_name("M");
   app.add_flag("--unknown-is-passable", options.unknownIsPassable,
                "an aerial robot's sphere may reach into cells of which nothing is known");
@@ -77,8 +95,18 @@ path::LiftParams liftParamsOf(const PathOptions& options, const MapFolder& map, 
       params.robot == Robot::Ground ? 0.0 : map.params().minClearance / 2);
   params.unknownIsPassable = options.unknownIsPassable;
   if (options.lookahead) params.lookahead = *options.lookahead;
-  params.check(map.params().minClearance);
+  if (params.robot == Robot::Aerial)
+    checkSafetyRadius(params.safetyRadius, options, map.params().minClearance);
+  else
+    warnOfSphereOptions(options);
   return params;
+}
+
+void checkCsvName(const std::string& file)
+{
+  const std::filesystem::path path = file;
+  if (path.extension() != ".csv" || path.stem().empty())
+    throw UsageError("-o " + file + ": it must be a name that ends in .csv");
 }
 
 std::string pathText(const path::LiftedPath& path)

@@ -25,9 +25,12 @@ void addPathOptions(CLI::App& app, PathOptions& options, const std::string& safe
 
 /** Defaults: lookahead 0.5 m; heightOffset 0 for a ground robot, minClearance/2 for an aerial one.
  * \param safetyRadius [m], unless the options give one
- * \exception std::runtime_error for the flag that is not valid */
+ * \exception UsageError for the flag that is not valid */
 mrpt_mapconv::path::LiftParams liftParamsOf(const PathOptions& options, const MapFolder& map,
                                             double safetyRadius);
+
+/** \exception UsageError unless that is a name that ends in .csv */
+void checkCsvName(const std::string& file);
 
 /** What became of a path: points, heights, what decided them. */
 std::string pathText(const mrpt_mapconv::path::LiftedPath& path);

@@ -60,8 +60,7 @@ void writeOutputs(const PlanOptions& options, const MapFolder& map, const planni
 
 int plan(const PlanOptions& options)
 {
-  if (std::filesystem::path(options.outputFile).extension() != ".csv")
-    throw UsageError("-o " + options.outputFile + ": the name must end in .csv");
+  checkCsvName(options.outputFile);
   Interruptible interruptible;
   ResultOutput result;
   const MapFolder map(options.dir);
@@ -102,7 +101,7 @@ std::pair<CLI::App*, Command> addPlan(CLI::App& app)
   addPlace(*sub, "--to", options->to, "where it is to go [m]");
   sub->add_option("--robot-radius", options->robotRadius, "of the robot's outline [m]")
       ->required()
-      ->check(CLI::NonNegativeNumber)
+      ->check(isNotNegative())
       ->type_name("R");
   sub->footer(
       "Example:\n"

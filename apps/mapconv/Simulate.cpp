@@ -3,8 +3,10 @@
 #include <mrpt_mapconv/sim/SimulationFiles.h>
 
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <memory>
 #include <optional>
+#include <string>
 
 #include "Command.h"
 #include "Console.h"
@@ -24,6 +26,18 @@ struct SimulateOptions
   std::uint64_t seed = 1;
   bool json = false;
 };
+
+/** Decimal digits and nothing else: CLI11 itself takes -1 for 2^64 - 1 and 010 for 8. */
+std::uint64_t seedOf(const std::string& text)
+{
+  const char* end = text.data() + text.size();
+  std::uint64_t seed = 0;
+  const auto [stop, error] = std::from_chars(text.data(), end, seed);
+  if (error != std::errc() || stop != end)
+    throw CLI::ValidationError(
+        "--seed", "'" + text + "' is not valid: it must be a whole number from 0 to 2^64 - 1");
+  return seed;
+}
 
 std::string summaryText(const SimulateOptions& options, const sim::SimulationSummary& summary,
                         double seconds)
@@ -72,15 +86,16 @@ std::pair<CLI::App*, Command> addSimulate(CLI::App& app)
   sub->add_option("-o,--output", options->outputDir, "folder for logs and truth, made if needed")
       ->required()
       ->type_name("DIR");
-  sub->add_option("--seed", options->seed,
-                  "for all that is random, default 1; the same seed gives "
-                  "the same files")
+  sub->add_option_function<std::string>(
+         "--seed", [options](const std::string& text) { options->seed = seedOf(text); },
+         "for all that is random, default 1; the same seed gives the same files")
       ->type_name("N");
   sub->add_flag("--json", options->json, "print the summary as one JSON object");
   sub->footer(
       "Example:\n  mapconv simulate config/worlds/building.ini -o building\n"
       "DIR gets scans.rawlog (observations), frames.rawlog (actions and sensory frames),\n"
-      "scans.simplemap, trajectory.csv (the true way), truth.tif and a .png of each true layer.");
+      "scans.simplemap, trajectory.csv (the true way), truth.tif and a .png of each true layer.\n"
+      "What WORLD.ini may hold: see share/doc/worlds.md");
   return {sub, [options] { return simulate(*options); }};
 }
 

@@ -62,8 +62,9 @@ void addWorld(const FreespaceResult& result, Report& report)
   grid::writeLayerPng(report.addPicture(name + "_slice", name + ": fixed projection of the slice"),
                       result.maps.slice,
                       {"Fixed projection of the slice", "", grid::PictureKind::Occupancy});
-  maps::writeLayerPicture(report.addPicture(name + "_truth", name + ": the truth, ground robot"),
-                          result.maps.truth, "ground");
+  grid::writeLayerPng(report.addPicture(name + "_truth", name + ": the truth, ground robot"),
+                      result.maps.truth.ground,
+                      {"Truth: where a ground robot can be", "", grid::PictureKind::Occupancy});
 }
 }  // namespace
 

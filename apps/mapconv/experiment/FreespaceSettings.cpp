@@ -2,6 +2,7 @@
 
 #include <mrpt_mapconv/maps/StrictSection.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <sstream>
 #include <stdexcept>
@@ -38,7 +39,14 @@ ConversionParams readConversion(const ExperimentJob& job, const std::string& nam
   section.read("maxSlope", params.maxSlope);
   section.read("maxStep", params.maxStep);
   section.refuseUnknown("a conversion");
-  params.check();
+  try
+  {
+    params.check();
+  }
+  catch (const std::invalid_argument& error)
+  {
+    throw std::runtime_error("section '" + name + "': " + error.what());
+  }
   return params;
 }
 
@@ -90,7 +98,15 @@ FreespaceSettings readFreespaceSettings(const ExperimentJob& job)
   section.refuseUnknown("this experiment");
   settings.conversion = readConversion(job, "conversion");
   settings.strictConversion = readConversion(job, "strictConversion");
-  for (const std::string& name : worlds) settings.worlds.push_back(readWorld(job, name));
+  for (const std::string& name : worlds)
+  {
+    if (std::count(worlds.begin(), worlds.end(), name) > 1)
+      section.fail("worlds", "each world once");
+    settings.worlds.push_back(readWorld(job, name));
+    if (settings.worlds.back().safetyRadius > settings.conversion.minClearance / 2)
+      StrictSection(job.ini, name)
+          .fail("safetyRadius", "at most half of minClearance in section 'conversion'");
+  }
   if (job.quick)
   {
     settings.repetitions = 2;

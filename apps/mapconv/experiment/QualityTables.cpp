@@ -97,6 +97,21 @@ void addErrors(const FreespaceResult& result, Table& table)
   add("ceiling [m]", result.maps.layers.ceiling, result.maps.truth.ceiling, true);
   add("slope [m/m]", result.maps.layers.slope, result.maps.truth.slope, false);
 }
+
+/** What the worlds' truths ask for. */
+std::string truthText(const std::vector<FreespaceResult>& results)
+{
+  std::string text;
+  for (const auto& result : results)
+  {
+    const sim::TruthParams& truth = result.scenario->truth;
+    text += "in " + result.world.name + " an aerial robot needs " + fixed(truth.minClearance, 2) +
+            " m of height, a ground robot " + fixed(truth.robotHeight, 2) + " m, slopes up to " +
+            fixed(truth.maxSlope, 2) + " and no jump above " + fixed(truth.maxStep, 2) +
+            " m within half a cell. ";
+  }
+  return text;
+}
 }  // namespace
 
 void addQuality(const std::vector<FreespaceResult>& results, Report& report)
@@ -116,15 +131,14 @@ void addQuality(const std::vector<FreespaceResult>& results, Report& report)
     addErrors(result, errors);
   }
   table.note =
-      "The truth is evaluated at cell centres from the geometry: a ground robot may stand on "
-      "slopes up to 0.5 without a jump above 0.1 m within half a cell, if the world's [truth] does "
-      "not "
-      "say otherwise. Found: cells of "
-      "such bodies that are occupied in the map. The last column counts all truly free cells of "
-      "the world, seen or not.";
+      "The truth is evaluated at cell centres from the geometry: " + truthText(results) +
+      "Found: cells of such bodies that are occupied in the map. The last column counts all truly "
+      "free cells of the world, seen or not.";
   report.addHeading("Quality");
   report.addTable(table);
-  errors.note = "Slopes are judged where the true one is at most 2.";
+  errors.note =
+      "Slopes are judged where the true one is at most 2. A world without a roof has no true "
+      "ceiling.";
   report.addTable(errors);
 }
 

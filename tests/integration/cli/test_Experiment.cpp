@@ -37,7 +37,7 @@ TEST(Experiment, FreespaceWritesTablesPlotsAndPictures)
   EXPECT_EQ("", outcome.err);
   const std::string report = readBytes(dir.path("out/report.md"));
   EXPECT_EQ(report, outcome.out);
-  for (const char* part : {"Table II", "Table III", "paper 2.4", "Target", "RMSE", "start–goal"})
+  for (const char* part : {"Table II", "Table III", "paper 2.4", "<= 2", "RMSE", "start–goal"})
     EXPECT_TRUE(contains(report, part)) << part;
   for (const char* name :
        {"updates.png", "updates_by_columns.png", "cave_ground.png", "outdoor_truth.png"})
@@ -81,4 +81,12 @@ TEST(Experiment, BadFilesAreNamed)
   EXPECT_TRUE(contains(error("[experiment]\nkind = freespace\nworlds = a\n[a]\nfile = w.ini\n"
                              "paperSizes = 1 2 3\ncolour = red\n"),
                        "colour"));
+  const std::string world = "[a]\nfile = w.ini\npaperSizes = 1 2 3\n";
+  EXPECT_TRUE(contains(error("[experiment]\nkind = freespace\nworlds = a a\n" + world), "once"));
+  EXPECT_TRUE(contains(
+      error("[experiment]\nkind = freespace\nworlds = a\n" + world + "safetyRadius = 0.9\n"),
+      "section 'a': safetyRadius = '0.9'"));
+  EXPECT_TRUE(contains(error("[experiment]\nkind = freespace\nworlds = a\n" + world +
+                             "[conversion]\nminClearance = -1\n"),
+                       "section 'conversion': minClearance = -1"));
 }

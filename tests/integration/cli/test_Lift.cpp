@@ -122,14 +122,56 @@ TEST_F(Lift, SaysWhichPointCannotBeReachedAndWhy)
 
 TEST_F(Lift, OptionsAreChecked)
 {
-  for (const char* radius : {"0", "-1", "0.51"})
+  for (const char* radius : {"0", "-1", "0.51", "inf"})
   {
     const Outcome outcome = lift("2.25,1.25\n", {"--safety-radius", radius});
-    EXPECT_EQ(1, outcome.status) << radius;
-    EXPECT_TRUE(contains(outcome.err, "safetyRadius")) << outcome.err;
+    EXPECT_EQ(2, outcome.status) << radius;
+    EXPECT_TRUE(contains(outcome.err, "--safety-radius")) << outcome.err;
   }
-  EXPECT_EQ(1, lift("2.25,1.25\n", {"--lookahead", "-1"}).status);
+  EXPECT_EQ(2, lift("2.25,1.25\n", {"--lookahead", "-1"}).status);
   EXPECT_EQ(2, lift("2.25,1.25\n", {"--lookahead", "x"}).status);
+  EXPECT_EQ(2, lift("2.25,1.25\n", {"--height-offset", "nan"}).status);
+  EXPECT_EQ(2,
+            mapconv({"lift", map(), file("path.csv"), "--robot", "ground", "-o", file("path.txt")})
+                .status);
+  const Outcome same =
+      mapconv({"lift", map(), file("path.csv"), "--robot", "ground", "-o", file("path.csv")});
+  EXPECT_EQ(2, same.status);
+  EXPECT_TRUE(contains(same.err, "path.csv is the path")) << same.err;
+}
+
+TEST_F(Lift, WarnsOfOptionsWithoutEffect)
+{
+  const Outcome outcome =
+      lift("2.25,1.25\n", {"--safety-radius", "0.4", "--unknown-is-passable"}, "ground");
+  EXPECT_EQ(0, outcome.status);
+  EXPECT_EQ(2, warningsIn(outcome.err)) << outcome.err;
+}
+
+TEST_F(Lift, CommonFormsOfCsvAreRead)
+{
+  const std::string expected = "x,y,z\n0.75,1.25,1\n";
+  for (const char* csv :
+       {"\xEF\xBB\xBFx,y\n0.75,1.25\n", "X,Y,Z\n0.75,1.25,7\n", "\"x\",\"y\"\n\"0.75\",1.25\n",
+        "+0.75,1.25\n", "0.75,1.25,9\n", "0.75 , 1.25"})
+  {
+    const Outcome outcome = lift(csv, {"--height-offset", "0.5"});
+    EXPECT_EQ(0, outcome.status) << csv << outcome.err;
+    EXPECT_EQ(expected, lifted()) << csv;
+  }
+}
+
+TEST_F(Lift, UncommonFormsAreRefusedWithTheReason)
+{
+  const auto error = [&](const std::string& csv) { return lift(csv).err; };
+  EXPECT_TRUE(contains(error("0.75;1.25\n"), "commas between")) << error("0.75;1.25\n");
+  EXPECT_TRUE(contains(error("x\ty\n0.75\t1.25\n"), "commas between"));
+  EXPECT_TRUE(contains(error("1,5,2,5\n"), "line 1"));  // decimal commas
+  EXPECT_TRUE(contains(error("1,1,foo,bar\n"), "line 1"));
+  EXPECT_TRUE(contains(error("1,1\n1,1,1\n"), "2 fields"));
+  EXPECT_TRUE(contains(error("x,y\n1,1,1\n"), "2 fields"));
+  EXPECT_TRUE(contains(error("1e308,1\n"), "line 1"));
+  EXPECT_TRUE(contains(error("0.75,1.25\n0.75,9e7\n"), "path.csv"));  // far too long a way
 }
 
 TEST_F(Lift, RefusesAVoxelMapOfAnotherPlace)

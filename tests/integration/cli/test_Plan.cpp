@@ -168,15 +168,20 @@ TEST_F(Plan, WrongUsage)
   EXPECT_EQ(2, plan("swimming", "-3,2", "4,-2", "path.csv").status);
   EXPECT_EQ(2, plan("ground", "-3", "4,-2", "path.csv").status);
   EXPECT_EQ(2, plan("ground", "-3,nan", "4,-2", "path.csv").status);
-  EXPECT_EQ(2, plan("ground", "-3,2", "4,-2", "path.csv", {}, "-1").status);
+  EXPECT_EQ(2, plan("ground", "-3,2", "4,-2", ".csv").status);
+  const Outcome negative = plan("ground", "-3,2", "4,-2", "path.csv", {}, "-1");
+  EXPECT_EQ(2, negative.status);
+  EXPECT_TRUE(contains(negative.err, "'-1' is not valid")) << negative.err;
+  EXPECT_EQ(2, plan("ground", "-3,2", "4,-2", "path.csv", {}, "nan").status);
 }
 
 TEST_F(Plan, TheSphereMustFitIntoTheMapsClearance)
 {
   const Outcome outcome = plan("aerial", "-3,2", "4,-2", "path.csv", {}, "0.6");
-  EXPECT_EQ(1, outcome.status);
+  EXPECT_EQ(2, outcome.status);
   EXPECT_TRUE(isOneError(outcome.err)) << outcome.err;
-  EXPECT_TRUE(contains(outcome.err, "safetyRadius = 0.6")) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "--robot-radius 0.6")) << outcome.err;
+  EXPECT_EQ(2, plan("aerial", "-3,2", "4,-2", "path.csv", {}, "0").status);
 }
 
 TEST_F(Plan, NeedsAConvertedMap)

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -144,6 +145,12 @@ TEST_F(Simulate, BadWorldsAreNamed)
   EXPECT_TRUE(contains(error, "'trajectory'") && contains(error, "waypoints")) << error;
   error = errorOf("beams = 40", "beams = -40");
   EXPECT_TRUE(contains(error, "'sensor.lidar'") && contains(error, "beams = '-40'")) << error;
+  error = errorOf("resolution = 0.1", "resolution = 0.0001");
+  EXPECT_TRUE(contains(error, "'truth': resolution = '0.0001'")) << error;
+  error = errorOf("speed = 0.5", "speed = 1e-9");
+  EXPECT_TRUE(contains(error, "'trajectory': speed = '1e-9'")) << error;
+  error = errorOf("[box.crate]", "[box.north]");
+  EXPECT_TRUE(contains(error, "section 'box.north' is already in line")) << error;
   error = errorOf("speed = 0.5", "speed = 0.5\ncolour = red");
   EXPECT_TRUE(contains(error, "'trajectory'") && contains(error, "colour")) << error;
 }
@@ -156,4 +163,38 @@ TEST_F(Simulate, WrongUsage)
   EXPECT_EQ(1, missing.status);
   EXPECT_TRUE(contains(missing.err, "none.ini")) << missing.err;
   EXPECT_FALSE(std::filesystem::exists(m_dir.path("out")));
+}
+
+TEST_F(Simulate, SeedsAreWholeNumbersOf64Bits)
+{
+  for (const char* seed :
+       {"-1", "18446744073709551616", "", "0x10", "+5", "1.5", " 7", "7 ", "1e3"})
+  {
+    const Outcome outcome = simulate(kRoom, "out", {std::string("--seed=") + seed});
+    EXPECT_EQ(2, outcome.status) << "'" << seed << "'";
+    EXPECT_TRUE(isOneError(outcome.err)) << outcome.err;
+    EXPECT_TRUE(contains(outcome.err, "--seed")) << outcome.err;
+    EXPECT_FALSE(std::filesystem::exists(m_dir.path("out"))) << "'" << seed << "'";
+  }
+  EXPECT_EQ(2, simulate(kRoom, "out", {"--seed", "-1"}).status);
+  EXPECT_EQ(2, simulate(kRoom, "out", {"--seed", ""}).status);
+  EXPECT_EQ(2, simulate(kRoom, "out", {"--seed"}).status);
+  // as a text: a double would not hold the largest seed
+  for (const auto& [seed, same] : {std::pair("0", "\"seed\":0,"),
+                                   {"010", "\"seed\":10,"},
+                                   {"18446744073709551615", "\"seed\":18446744073709551615,"}})
+  {
+    const Outcome outcome = simulate(kRoom, "out", {"--seed", seed, "--json"});
+    EXPECT_EQ(0, outcome.status) << outcome.err;
+    std::string out = outcome.out;
+    out.erase(std::remove(out.begin(), out.end(), ' '), out.end());
+    EXPECT_TRUE(contains(out, same)) << outcome.out;
+  }
+}
+
+TEST_F(Simulate, HelpNamesTheWorldsDocument)
+{
+  const Outcome outcome = mapconv({"simulate", "--help"});
+  EXPECT_EQ(0, outcome.status);
+  EXPECT_TRUE(contains(outcome.out, "see share/doc/worlds.md")) << outcome.out;
 }
