@@ -5,8 +5,7 @@
 // apart.
 //
 //   bench_insertion              drives five times and takes each insertion's best time, since
-//   other
-//                                programs' share of a machine changes from tenth to tenth
+//                                other programs' share of a machine changes from tenth to tenth
 //   bench_insertion TIMES.csv    takes the times that a map has saved (PREFIX_times.csv)
 #include <mrpt/system/CTimeLogger.h>
 #include <mrpt_mapconv/maps/CFreeSpaceGridMap2D.h>
@@ -135,10 +134,12 @@ void report(const Series& series)
     if (i < tenth) first.push_back(times[i]);
     if (i >= times.size() - tenth) last.push_back(times[i]);
   }
+  if (first.empty() || last.empty())
+    throw std::runtime_error(
+        "no insertion of a usual number of columns in the first or last tenth");
   std::printf(
-      "%zu insertions of %.0f changed columns; first tenth %.2f ms (%zu of %zu), last tenth %.2f "
-      "ms "
-      "(%zu); ratio %.2f\n",
+      "%zu insertions of %.0f changed columns; first tenth %.2f ms (%zu of %zu), "
+      "last tenth %.2f ms (%zu); ratio %.2f\n",
       times.size(), usual, 1e3 * median(first), first.size(), tenth, 1e3 * median(last),
       last.size(), median(last) / median(first));
 }

@@ -4,6 +4,8 @@
 #include <mrpt_mapconv/voxel/OctreeSource.h>
 
 #include <mutex>
+#include <new>
+#include <optional>
 #include <string>
 
 #include "CompareLayers.h"
@@ -245,6 +247,100 @@ TEST(Incremental, ReadsOnlyWhatDependsOnTheChange)
         EXPECT_TRUE(!changed.contains(kx, ky) || watched.asked().contains(kx, ky))
             << "column (" << kx << ", " << ky << ") in step " << step;
       }
+    expectFollows(followed, source);
+  }
+}
+
+/** A hall of 20 × 20 free columns of 1 m above a floor, with a wall of one column at (5, 5). */
+void makeHall(octomap::OcTree& tree)
+{
+  for (int ky = 0; ky < 20; ++ky)
+    for (int kx = 0; kx < 20; ++kx)
+      for (int kz = 0; kz < 12; ++kz)
+      {
+        const bool solid = kz == 0 || kz == 11 || (kx == 5 && ky == 5);
+        tree.setNodeValue(oracle::octomapKey(kx, ky, kz), solid ? 0.85f : -0.4f, true);
+      }
+}
+
+std::size_t readFor(WatchedSource& watched, freespace::IncrementalLayers& followed,
+                    const voxel::ColumnSet& changed)
+{
+  watched.asked().clear();
+  followed.update(watched, changed);
+  return watched.asked().size();
+}
+
+/** Beyond the changed columns only those without a floor beside a new free span are read. */
+TEST(Incremental, ReadsNoColumnThatCannotChange)
+{
+  octomap::OcTree tree(0.1);
+  makeHall(tree);
+  const Source source(tree);
+  WatchedSource watched(source);
+  freespace::IncrementalLayers followed({}, 1);
+  followed.rebuild(watched);
+  const auto only = [](int kx, int ky)
+  {
+    voxel::ColumnSet set;
+    set.insert(kx, ky);
+    return set;
+  };
+  EXPECT_EQ(readFor(watched, followed, only(4, 5)), 1u) << "announced, but nothing has changed";
+  tree.setNodeValue(oracle::octomapKey(10, 10, 11), -0.4f);
+  EXPECT_EQ(readFor(watched, followed, only(10, 10)), 1u) << "a ceiling, far from any wall";
+  expectFollows(followed, source);
+  tree.setNodeValue(oracle::octomapKey(4, 5, 11), -0.4f);
+  EXPECT_EQ(readFor(watched, followed, only(4, 5)), 2u) << "a ceiling beside the wall at (5, 5)";
+  EXPECT_TRUE(watched.asked().contains(5, 5));
+  expectFollows(followed, source);
+}
+
+/** A source that fails from its n-th block on. */
+class FailingSource : public voxel::VoxelSource
+{
+ public:
+  explicit FailingSource(const voxel::VoxelSource& source) : m_source(source) {}
+  double resolution() const override { return m_source.resolution(); }
+  std::optional<voxel::KeyRect> bounds() const override { return m_source.bounds(); }
+  void read(voxel::ColumnBlock& block) const override
+  {
+    if (m_left-- <= 0) throw std::bad_alloc();
+    m_source.read(block);
+  }
+  void failAfter(int blocks) { m_left = blocks; }
+
+ private:
+  const voxel::VoxelSource& m_source;
+  mutable int m_left = 1'000'000;
+};
+
+/** What an update that failed has left undone is done by the next one. */
+TEST(Incremental, AFailedUpdateIsMadeUpFor)
+{
+  for (unsigned seed = 1; seed <= 30 && !HasFailure(); ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Rng rng(seed);
+    MapEditor editor(rng, 0.1, pick(rng, -60, 60), pick(rng, -60, 60), 0);
+    const Source source(editor.tree());
+    FailingSource failing(source);
+    freespace::IncrementalLayers followed(randomParams(rng, 0.1), 1);
+    followed.rebuild(failing);
+    voxel::ColumnSet changed;
+    for (int i = 0; i < 5; ++i) changed.insert(editor.edit());
+    failing.failAfter(pick(rng, 0, 3));
+    bool failed = false;
+    try
+    {
+      followed.update(failing, changed);
+    }
+    catch (const std::bad_alloc&)
+    {
+      failed = true;
+    }
+    failing.failAfter(1'000'000);
+    followed.update(failing, failed ? voxel::ColumnSet() : changed);
     expectFollows(followed, source);
   }
 }

@@ -125,8 +125,8 @@ voxel::ColumnMask HeightPass::writeHeights(BlockJob& job)
   forEachRow(job.changed,
              [&](std::int32_t y, std::uint32_t row)
              {
-               float* floor = m_layers.floor.row(place.y + y) + place.x;
-               float* ceiling = m_layers.ceiling.row(place.y + y) + place.x;
+               float* floor = m_layers.floor.row(place.y + y);
+               float* ceiling = m_layers.ceiling.row(place.y + y);
                std::uint32_t freeRow = 0, newFloor = 0, newCeiling = 0;
                forEachInRow(row,
                             [&](std::int32_t x)
@@ -136,8 +136,9 @@ voxel::ColumnMask HeightPass::writeHeights(BlockJob& job)
                               const auto height = [&](std::int32_t key)
                               { return valid ? static_cast<float>(key * res) : Layers::kNone; };
                               freeRow |= bitIf(valid, x);
-                              newFloor |= bitIf(replace(floor[x], height(span.floor)), x);
-                              newCeiling |= bitIf(replace(ceiling[x], height(span.ceiling)), x);
+                              newFloor |= bitIf(replace(floor[place.x + x], height(span.floor)), x);
+                              newCeiling |=
+                                  bitIf(replace(ceiling[place.x + x], height(span.ceiling)), x);
                             });
                const auto at = static_cast<std::size_t>(y);
                free[at] = freeRow;
@@ -220,10 +221,10 @@ voxel::ColumnMask OccupancyPass::withoutFloor(const voxel::ColumnMask& columns,
   forEachRow(columns,
              [&](std::int32_t y, std::uint32_t row)
              {
-               const float* floor = m_layers.floor.row(place.y + y) + place.x;
+               const float* floor = m_layers.floor.row(place.y + y);
                std::uint32_t without = 0;
-               forEachInRow(row,
-                            [&](std::int32_t x) { without |= bitIf(std::isnan(floor[x]), x); });
+               forEachInRow(row, [&](std::int32_t x)
+                            { without |= bitIf(std::isnan(floor[place.x + x]), x); });
                out[static_cast<std::size_t>(y)] = without;
              });
   return out;
@@ -301,13 +302,14 @@ void OccupancyPass::writeGroundWithoutFloor(const BlockPlace& place,
   forEachRow(columns,
              [&](std::int32_t y, std::uint32_t row)
              {
-               const float* aerial = m_layers.aerial.row(place.y + y) + place.x;
-               float* ground = m_layers.ground.row(place.y + y) + place.x;
+               const float* aerial = m_layers.aerial.row(place.y + y);
+               float* ground = m_layers.ground.row(place.y + y);
                const std::int32_t* floor = m_floors.at(0, y);
                forEachInRow(row,
                             [&](std::int32_t x)
                             {
-                              if (floor[x] == FloorTile::kNoFloor) ground[x] = aerial[x];
+                              if (floor[x] == FloorTile::kNoFloor)
+                                ground[place.x + x] = aerial[place.x + x];
                             });
              });
 }

@@ -74,9 +74,9 @@ class Strips
 };
 
 /** Brings the layers up to date with the changed columns, of which full conversion is "all".
- * `reach` holds every column that may depend on them; `blank` says that the layers are all unknown.
- * The second pass of a strip runs once the
- * first pass of the next one has found the floors there. */
+ * `reach` holds every column that may depend on them; `blank` says that the layers are all unknown,
+ * otherwise they must be what a conversion left before the change. The second pass of a strip runs
+ * once the first pass of the next one has found the floors there. */
 void convertColumns(const voxel::VoxelSource& source, const voxel::ColumnSet& changed,
                     const voxel::ColumnSet& reach, const ConversionParams& params, int threads,
                     Layers& layers, bool blank)
@@ -203,20 +203,36 @@ void IncrementalLayers::rebuild(const voxel::VoxelSource& source, const grid::Gr
 {
   checkFrameSize(frame);
   m_layers = convertOn(frame, source, m_params, m_threads);
+  m_unfinished = false;
 }
 
 bool IncrementalLayers::update(const voxel::VoxelSource& source, const voxel::ColumnSet& changed)
 {
   const grid::GridFrame old = m_layers.frame();
   const auto inside = changedWithin(source, changed, old);
-  if (inside.empty()) return false;
+  if (inside.empty() && !m_unfinished) return false;
   const grid::GridFrame frame = grownFrame(old, inside.bounds(source.resolution()));
-  if (frame != old) m_layers = m_layers.onFrame(frame);
-  convertColumns(source, inside, columnsDependingOn(inside, m_params).clipped(frame), m_params,
-                 m_threads, m_layers, false);
+  if (m_unfinished)
+    rebuild(source, frame);
+  else
+    follow(source, inside, frame);
   return frame != old;
 }
 
-void IncrementalLayers::clear() { m_layers = Layers(); }
+void IncrementalLayers::follow(const voxel::VoxelSource& source, const voxel::ColumnSet& changed,
+                               const grid::GridFrame& frame)
+{
+  if (frame != m_layers.frame()) m_layers = m_layers.onFrame(frame);
+  m_unfinished = true;  // until the end is reached without an exception
+  convertColumns(source, changed, columnsDependingOn(changed, m_params).clipped(frame), m_params,
+                 m_threads, m_layers, false);
+  m_unfinished = false;
+}
+
+void IncrementalLayers::clear()
+{
+  m_layers = Layers();
+  m_unfinished = false;
+}
 
 }  // namespace mrpt_mapconv::freespace

@@ -13,7 +13,7 @@ namespace mrpt_mapconv::maps
  * The same voxels as in octomap::OcTree::computeUpdate(): a voxel in which a beam ends is no free
  * one, and a beam cut at the maximum range ends in none. But that keeps every voxel in a memory
  * block of its own, between the tree's nodes, and has them in no order: as a map grows, its
- * insertions become slower (by half over 110 m, see tests/bench/bench_insertion.cpp).
+ * insertions become slower.
  */
 class BeamVoxels
 {

@@ -119,12 +119,13 @@ voxel::ColumnSet insertScan(octomap::OcTree& tree, const SensorPoints& scan,
   sensorKey(tree, scan);  // checks it
   const auto cloud = toCloud(tree, scan, origin, options.maxrange, warnings);
 
+  const BeamVoxels voxels(tree, cloud, origin, options.maxrange);
   const float threshold = tree.getOccupancyThresLog();
   options.applyTo(tree);
   const bool lazy = !options.pruning;  // a lazy insertion leaves the tree unpruned
-  tree.enableChangeDetection(
-      true);  // what an insertion that failed half way has changed stays noted
-  BeamVoxels(tree, cloud, origin, options.maxrange).insertInto(tree, lazy);
+  // what an insertion that failed half way has changed stays noted
+  tree.enableChangeDetection(true);
+  voxels.insertInto(tree, lazy);
   if (lazy) tree.updateInnerOccupancy();
   auto changed = changedColumns(tree);
   // another threshold can change any voxel's state

@@ -164,7 +164,8 @@ class BlockMarker
                   << i;
     }
     if (!known) return false;
-    m_block.markOctet(x, y, z, known & due & ~occupied, occupied);
+    const unsigned marked = known & due;
+    m_block.markOctet(x, y, z, marked & ~occupied, marked & occupied);
     return true;
   }
 

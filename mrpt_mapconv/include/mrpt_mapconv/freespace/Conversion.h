@@ -57,16 +57,21 @@ class IncrementalLayers
   void rebuild(const voxel::VoxelSource& source);
   /** Converts everything anew on the given frame, which must hold every known voxel. */
   void rebuild(const voxel::VoxelSource& source, const grid::GridFrame& frame);
-  /** Follows a change of the source in the columns `changed` (a superset is fine).
+  /** Follows a change of the source in the columns `changed` (a superset is fine). Should it throw
+   * half way, the next update converts everything anew.
    * \return true if the frame has changed */
   bool update(const voxel::VoxelSource& source, const voxel::ColumnSet& changed);
   /** Forgets everything: empty layers. */
   void clear();
 
  private:
+  void follow(const voxel::VoxelSource& source, const voxel::ColumnSet& changed,
+              const grid::GridFrame& frame);
+
   ConversionParams m_params;
   int m_threads;
   Layers m_layers;
+  bool m_unfinished = false;  //!< an update was broken off: the layers hold some of a change
 };
 
 }  // namespace mrpt_mapconv::freespace
