@@ -28,15 +28,6 @@ double checkedResolution(double resolution)
           << coarsest << "] m";
   throw std::invalid_argument(message.str());
 }
-
-mrpt::system::CTimeLogger& timesOf(std::unique_ptr<mrpt::system::CTimeLogger>& times)
-{
-  constexpr bool enabled = true, wholeHistory = true;
-  if (!times)
-    times =
-        std::make_unique<mrpt::system::CTimeLogger>(enabled, "CFreeSpaceGridMap2D", wholeHistory);
-  return *times;
-}
 }  // namespace
 
 CFreeSpaceGridMap2D::CFreeSpaceGridMap2D(double resolution)
@@ -48,13 +39,10 @@ CFreeSpaceGridMap2D::CFreeSpaceGridMap2D(double resolution)
   showAllCells();
 }
 
-CFreeSpaceGridMap2D::~CFreeSpaceGridMap2D()
-{
-  if (m_times) m_times->clear(true);  // or MRPT prints it
-}
+CFreeSpaceGridMap2D::~CFreeSpaceGridMap2D() { forgetTimes(); }
 
 CFreeSpaceGridMap2D::CFreeSpaceGridMap2D(const CFreeSpaceGridMap2D& o)
-    : Base(o),
+    : Base(withRestoredGrid(o)),
       voxelInsertionOptions(o.voxelInsertionOptions),
       renderingOptions(o.renderingOptions),
       m_log("CFreeSpaceGridMap2D"),
@@ -71,7 +59,7 @@ CFreeSpaceGridMap2D& CFreeSpaceGridMap2D::operator=(const CFreeSpaceGridMap2D& o
 {
   if (this == &o) return *this;
   auto octree = std::make_unique<octomap::OcTree>(*o.m_octree);
-  Base::operator=(o);
+  Base::operator=(withRestoredGrid(o));
   voxelInsertionOptions = o.voxelInsertionOptions;
   renderingOptions = o.renderingOptions;
   m_conversion = o.m_conversion;
@@ -79,6 +67,7 @@ CFreeSpaceGridMap2D& CFreeSpaceGridMap2D::operator=(const CFreeSpaceGridMap2D& o
   m_layers = o.m_layers;
   m_pending = o.m_pending;
   m_sawFree = o.m_sawFree;
+  forgetTimes();
   return *this;
 }
 
@@ -177,12 +166,12 @@ bool CFreeSpaceGridMap2D::internal_insertObservation(
   warnIfNothingIsFree();
   const double shown = watch.Tac();
 
-  auto& times = timesOf(m_times);
-  times.registerUserMeasure("insert", shown, true);
-  times.registerUserMeasure("insert.voxels", inserted - prepared, true);
-  times.registerUserMeasure("insert.layers", shown - inserted, true);
-  times.registerUserMeasure("insert.columns", static_cast<double>(columns));
-  times.registerUserMeasure("insert.laidOut", laidOut ? 1 : 0);
+  auto& log = times();
+  log.registerUserMeasure("insert", shown, true);
+  log.registerUserMeasure("insert.voxels", inserted - prepared, true);
+  log.registerUserMeasure("insert.layers", shown - inserted, true);
+  log.registerUserMeasure("insert.columns", static_cast<double>(columns));
+  log.registerUserMeasure("insert.laidOut", laidOut ? 1 : 0);
   return true;
 }
 
@@ -199,9 +188,22 @@ bool CFreeSpaceGridMap2D::followOctree()
   return laidOut;
 }
 
-const mrpt::system::CTimeLogger& CFreeSpaceGridMap2D::insertionTimes() const
+const mrpt::system::CTimeLogger& CFreeSpaceGridMap2D::insertionTimes() const { return times(); }
+
+mrpt::system::CTimeLogger& CFreeSpaceGridMap2D::times() const
 {
-  return timesOf(m_times);
+  constexpr bool enabled = true, wholeHistory = true;
+  const std::lock_guard<std::mutex> lock(m_lazy);
+  if (!m_times)
+    m_times =
+        std::make_unique<mrpt::system::CTimeLogger>(enabled, "CFreeSpaceGridMap2D", wholeHistory);
+  return *m_times;
+}
+
+void CFreeSpaceGridMap2D::forgetTimes()
+{
+  if (m_times) m_times->clear(true);  // or MRPT prints it
+  m_times.reset();
 }
 
 /** An entirely unknown map is most often one whose scans leave gaps between their beams. */
@@ -238,9 +240,18 @@ bool CFreeSpaceGridMap2D::gridFitsLayers() const
  * its grid may hold what MRPT's particle filter has averaged into it. */
 void CFreeSpaceGridMap2D::restoreGrid() const
 {
+  const std::lock_guard<std::mutex> lock(m_lazy);
   if (m_layers.layers().frame().empty() || gridFitsLayers()) return;
-  // Only a map that is not const can have been resized.
+  // No constructor leaves a grid that does not fit, so whoever has resized this one since had a map
+  // that is not const.
   const_cast<CFreeSpaceGridMap2D*>(this)->showAllCells();
+}
+
+/** A map to copy the grid of, so that no copy, which may be const, begins with a resized grid. */
+const CFreeSpaceGridMap2D& CFreeSpaceGridMap2D::withRestoredGrid(const CFreeSpaceGridMap2D& map)
+{
+  map.restoreGrid();
+  return map;
 }
 
 void CFreeSpaceGridMap2D::determineMatching2D(const mrpt::maps::CMetricMap* otherMap,

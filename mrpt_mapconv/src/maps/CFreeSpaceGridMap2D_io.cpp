@@ -83,6 +83,7 @@ void CFreeSpaceGridMap2D::serializeFrom(mrpt::serialization::CArchive& in, uint8
   m_layers = std::move(read.m_layers);
   m_pending.clear();
   m_sawFree = false;
+  forgetTimes();
 }
 
 void CFreeSpaceGridMap2D::readOctree(mrpt::serialization::CArchive& in)
@@ -135,7 +136,8 @@ void CFreeSpaceGridMap2D::saveMetricMapRepresentationToFile(const std::string& p
     m_octree->write(octree);
     grid::writeFile(out.path(name + ".ot"), octree.str());
   }
-  if (m_times) m_times->saveToCSVFile(out.path(name + "_times.csv"));
+  if (const std::lock_guard<std::mutex> lock(m_lazy); m_times)
+    m_times->saveToCSVFile(out.path(name + "_times.csv"));
   out.commit();
 }
 

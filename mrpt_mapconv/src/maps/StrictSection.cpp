@@ -156,9 +156,10 @@ std::vector<std::string> StrictSection::unknownKeys() const
 {
   std::vector<std::string> keys;
   m_source.getAllKeys(m_section, keys);
-  keys.erase(std::remove_if(keys.begin(), keys.end(),
-                            [&](const std::string& key) { return m_known.count(key) != 0; }),
-             keys.end());
+  // MRPT takes a line "// key = value" for a key, its users take it for a comment
+  const auto isKnown = [&](const std::string& key)
+  { return m_known.count(key) != 0 || key.rfind("//", 0) == 0; };
+  keys.erase(std::remove_if(keys.begin(), keys.end(), isKnown), keys.end());
   return keys;
 }
 

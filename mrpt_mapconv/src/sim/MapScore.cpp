@@ -34,66 +34,98 @@ Layer<T> on(GridFrame frame, const Layer<T>& layer, T fill)
   return layer.onFrame(frame, fill);
 }
 
-void count(Agreement& agreement, bool said, bool isTrue)
+/** Map, truth and mask on the frame of the truth. */
+struct Compared
 {
-  if (said && isTrue)
-    ++agreement.right;
-  else if (said)
-    ++agreement.wrong;
-  else if (isTrue)
-    ++agreement.missed;
-}
+  Compared(const Layer<float>& map, const Layer<float>& truth_, const CellMask& mask)
+      : said(on(truth_.frame(), map, grid::kUnknown)),
+        truth(truth_),
+        judged(on(truth_.frame(), mask, std::uint8_t{0}))
+  {
+  }
 
-bool isKnown(float cell) { return grid::isFree(cell) || grid::isOccupied(cell); }
+  /** Calls see(x, y) for each judged cell whose truth is known. */
+  template <class See>
+  void forEachJudged(const See& see) const
+  {
+    for (std::int32_t y = 0; y < truth.frame().height; ++y)
+      for (std::int32_t x = 0; x < truth.frame().width; ++x)
+        if (judged.at(x, y) && isKnown(truth.at(x, y))) see(x, y);
+  }
 
-/** Whether a cell within one cell of (x, y) has the label that is asked for. */
-bool hasNear(const Layer<float>& map, std::int32_t x, std::int32_t y, bool free)
+  Layer<float> said;
+  const Layer<float>& truth;
+  CellMask judged;
+
+ private:
+  static bool isKnown(float cell) { return grid::isFree(cell) || grid::isOccupied(cell); }
+};
+
+/** Whether a cell within `reach` cells of (x, y) has the label that is asked for. */
+bool hasLabel(const Layer<float>& layer, std::int32_t x, std::int32_t y, std::int32_t reach,
+              bool free)
 {
-  const GridFrame& frame = map.frame();
-  for (std::int32_t ny = std::max(y - 1, 0); ny <= std::min(y + 1, frame.height - 1); ++ny)
-    for (std::int32_t nx = std::max(x - 1, 0); nx <= std::min(x + 1, frame.width - 1); ++nx)
+  const GridFrame& frame = layer.frame();
+  for (std::int32_t ny = std::max(y - reach, 0); ny <= std::min(y + reach, frame.height - 1); ++ny)
+    for (std::int32_t nx = std::max(x - reach, 0); nx <= std::min(x + reach, frame.width - 1); ++nx)
     {
-      const float cell = map.at(nx, ny);
+      const float cell = layer.at(nx, ny);
       if (free ? grid::isFree(cell) : grid::isOccupied(cell)) return true;
     }
   return false;
 }
+
+/** How well the map has one label within `reach` cells. */
+Agreement agreement(const Compared& compared, std::int32_t reach, bool free)
+{
+  Agreement result;
+  compared.forEachJudged(
+      [&](std::int32_t x, std::int32_t y)
+      {
+        if (hasLabel(compared.said, x, y, 0, free))
+          ++(hasLabel(compared.truth, x, y, reach, free) ? result.right : result.wrong);
+        if (hasLabel(compared.truth, x, y, 0, free))
+          ++(hasLabel(compared.said, x, y, reach, free) ? result.found : result.missed);
+      });
+  return result;
+}
+
+OccupancyScore score(const Compared& compared, std::int32_t reach)
+{
+  return {agreement(compared, reach, true), agreement(compared, reach, false)};
+}
+
+double shareFound(const OccupancyScore& score)
+{
+  const std::size_t found = score.free.found + score.occupied.found;
+  return share(found, found + score.free.missed + score.occupied.missed);
+}
 }  // namespace
 
 double Agreement::precision() const { return share(right, right + wrong); }
-double Agreement::recall() const { return share(right, right + missed); }
+double Agreement::recall() const { return share(found, found + missed); }
 
 OccupancyScore scoreOccupancy(const Layer<float>& map, const Layer<float>& truth,
                               const CellMask& judged)
 {
-  const auto said = on(truth.frame(), map, grid::kUnknown);
-  const auto mask = on(truth.frame(), judged, std::uint8_t{0});
-  OccupancyScore score;
-  for (std::size_t i = 0; i < truth.cells().size(); ++i)
-  {
-    const float isTrue = truth.cells()[i], cell = said.cells()[i];
-    if (!mask.cells()[i] || !isKnown(isTrue)) continue;
-    count(score.free, grid::isFree(cell), grid::isFree(isTrue));
-    count(score.occupied, grid::isOccupied(cell), grid::isOccupied(isTrue));
-  }
-  return score;
+  return score({map, truth, judged}, 0);
+}
+
+OccupancyScore scoreWithinOneCell(const Layer<float>& map, const Layer<float>& truth,
+                                  const CellMask& judged)
+{
+  return score({map, truth, judged}, 1);
+}
+
+double shareRight(const Layer<float>& map, const Layer<float>& truth, const CellMask& judged)
+{
+  return shareFound(scoreOccupancy(map, truth, judged));
 }
 
 double shareRightWithinOneCell(const Layer<float>& map, const Layer<float>& truth,
                                const CellMask& judged)
 {
-  const auto said = on(truth.frame(), map, grid::kUnknown);
-  const auto mask = on(truth.frame(), judged, std::uint8_t{0});
-  std::size_t right = 0, all = 0;
-  for (std::int32_t y = 0; y < truth.frame().height; ++y)
-    for (std::int32_t x = 0; x < truth.frame().width; ++x)
-    {
-      const float isTrue = truth.at(x, y);
-      if (!mask.at(x, y) || !isKnown(isTrue)) continue;
-      ++all;
-      right += hasNear(said, x, y, grid::isFree(isTrue));
-    }
-  return share(right, all);
+  return shareFound(scoreWithinOneCell(map, truth, judged));
 }
 
 std::vector<double> errorsOf(const Layer<float>& map, const Layer<float>& truth,

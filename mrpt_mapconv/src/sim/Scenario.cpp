@@ -7,6 +7,7 @@
 #include <cmath>
 #include <stdexcept>
 #include <utility>
+#include <vector>
 
 namespace mrpt_mapconv::sim
 {
@@ -73,6 +74,24 @@ LogParams readLog(const CConfigFileMemory& ini)
   return log;
 }
 
+/** Refuses a truth that no memory would hold. */
+void checkTruthFrame(const StrictSection& section, const Scenario& scenario)
+{
+  try
+  {
+    frameOf(scenario.world, scenario.truthResolution);
+  }
+  catch (const std::invalid_argument&)
+  {
+    const std::string right = "that the truth has at most 4e7 cells, 1e5 on a side";
+    if (section.has("resolution")) section.fail("resolution", "so large " + right);
+    throw std::runtime_error("section 'world': bounds = " + placeText(scenario.world.min()) +
+                             " to " + placeText(scenario.world.max()) +
+                             " is not valid: it must be so small " + right +
+                             " of 0.1 m (or give a larger resolution in section 'truth')");
+  }
+}
+
 void readTruth(const CConfigFileMemory& ini, Scenario& scenario)
 {
   StrictSection section(ini, "truth");
@@ -83,6 +102,7 @@ void readTruth(const CConfigFileMemory& ini, Scenario& scenario)
   section.read("maxSlope", scenario.truth.maxSlope);
   section.read("maxStep", scenario.truth.maxStep);
   section.refuseUnknown("the truth");
+  checkTruthFrame(section, scenario);
   try
   {
     scenario.truth.check();
@@ -91,6 +111,40 @@ void readTruth(const CConfigFileMemory& ini, Scenario& scenario)
   {
     throw std::runtime_error("section 'truth': " + std::string(error.what()));
   }
+}
+
+/** Bodies beyond the bounds are no part of the truth; who wrote one mistook a number. */
+void checkBodies(const World& world)
+{
+  const TPoint3D &low = world.min(), &high = world.max();
+  for (std::size_t i = 0; i < world.size(); ++i)
+  {
+    const Footprint area = world.primitive(i).footprint();
+    Mesh mesh;
+    world.primitive(i).appendMesh(mesh);
+    const auto [bottom, top] =
+        std::minmax_element(mesh.vertices.begin(), mesh.vertices.end(),
+                            [](const auto& a, const auto& b) { return a[2] < b[2]; });
+    if (area.xMax < low.x || area.xMin > high.x || area.yMax < low.y || area.yMin > high.y ||
+        (*top)[2] < low.z || (*bottom)[2] > high.z)
+      throw std::runtime_error("section '" + world.name(i) +
+                               "': the body is outside the world's bounds " + placeText(low) +
+                               " to " + placeText(high) + "; some of it must be within them");
+  }
+}
+
+/** A run of more than a day cannot be meant. */
+void checkDuration(const StrictSection& section, const Trajectory& trajectory)
+{
+  constexpr double kLongest = 24 * 3600;  // [s]
+  if (trajectory.duration() <= kLongest) return;
+  const std::string right = "such that the run takes at most 86400 s (24 h)";
+  if (section.has("poses")) section.fail("poses", right);
+  double moving = 0;
+  const auto& knots = trajectory.knots();
+  for (std::size_t i = 1; i < knots.size(); ++i)
+    if (knots[i].position != knots[i - 1].position) moving += knots[i].time - knots[i - 1].time;
+  section.fail(2 * moving >= trajectory.duration() ? "speed" : "turnRate", right);
 }
 
 /** Walks along the way and throws where it does not lead through free space. */
@@ -170,11 +224,13 @@ class WayCheck
 Scenario readScenario(const CConfigFileMemory& ini)
 {
   World world = World::fromIni(ini, {kSensorPrefix, "trajectory", "noise", "log", "truth"});
+  checkBodies(world);
   auto sensors = readSensors(ini);
   if (!ini.sectionExists("trajectory"))
     throw std::runtime_error("there is no trajectory: a section 'trajectory' must be there");
   StrictSection section(ini, "trajectory");
   Trajectory trajectory = Trajectory::read(section, world);
+  checkDuration(section, trajectory);
   Scenario scenario{std::move(world),
                     std::move(sensors),
                     std::move(trajectory),

@@ -1,6 +1,10 @@
 #include <mrpt_mapconv/sim/Sensors.h>
 
+#include <algorithm>
+#include <cmath>
+#include <limits>
 #include <utility>
+#include <vector>
 
 #include "Random.h"
 
@@ -11,8 +15,15 @@ using mrpt::poses::CPose3D;
 
 namespace
 {
-constexpr int kMostPanes = 8;
+constexpr std::size_t kMostPanes = 8;
 constexpr float kBehindPane = 1e-4f;  //!< so that a ray does not meet the same surface again [m]
+
+/** Where a ray that met a surface goes on [m]: farther, also where single precision is coarse. */
+float behind(float range)
+{
+  return std::max(range + kBehindPane,
+                  std::nextafter(range, std::numeric_limits<float>::infinity()));
+}
 
 TPoint3Df along(const Ray& ray, float range)
 {
@@ -43,23 +54,31 @@ Sensor::Sensor(SensorParams params, std::vector<TPoint3Df> directions)
 {
 }
 
-/** What the rays show: the first surface that is not looked through. */
+/** What the rays show: the first surface that is not looked through. They begin at the sensor, not
+ * at minRange: what is too near to be measured still hides what is behind it. */
 std::vector<Hit> Sensor::visibleHits(const RayCaster& caster, const std::vector<Ray>& rays,
                                      std::uint64_t key) const
 {
-  const auto minRange = static_cast<float>(m_params.minRange);
   const auto maxRange = static_cast<float>(m_params.maxRange);
   std::vector<Hit> hits;
-  caster.cast(rays, minRange, maxRange, hits);
+  caster.cast(rays, 0, maxRange, hits);
+  std::vector<std::int32_t> passed;
   for (std::size_t i = 0; i < hits.size(); ++i)
   {
     Random random(mixBits(key) + i);
-    for (int panes = 0; panes < kMostPanes && hits[i].primitive >= 0; ++panes)
+    passed.clear();
+    while (hits[i].primitive >= 0)
     {
-      const auto& body = caster.world().primitive(static_cast<std::size_t>(hits[i].primitive));
-      const double transparency = body.transparency();
-      if (transparency <= 0 || random.uniform() >= transparency) break;
-      hits[i] = caster.cast(rays[i], hits[i].range + kBehindPane, maxRange);
+      const std::int32_t body = hits[i].primitive;
+      if (std::find(passed.begin(), passed.end(), body) == passed.end())
+      {
+        const double transparency =
+            caster.world().primitive(static_cast<std::size_t>(body)).transparency();
+        if (transparency <= 0 || passed.size() == kMostPanes) break;
+        if (random.uniform() >= transparency) break;
+        passed.push_back(body);
+      }
+      hits[i] = caster.cast(rays[i], behind(hits[i].range), maxRange);
     }
   }
   return hits;
@@ -76,7 +95,7 @@ Scan Sensor::scan(const RayCaster& caster, const CPose3D& robotPose, std::uint64
   const std::uint64_t noiseKey = mixBits(~key);
   for (std::size_t i = 0; i < rays.size(); ++i)
   {
-    if (hits[i].primitive < 0) continue;
+    if (hits[i].primitive < 0 || static_cast<double>(hits[i].range) < m_params.minRange) continue;
     Random random(noiseKey + i);
     if (random.uniform() < m_params.dropout) continue;
     const double range = hits[i].range + m_params.rangeNoise * random.normal();

@@ -8,7 +8,6 @@
 #include <mrpt_mapconv/grid/FileIo.h>
 #include <mrpt_mapconv/grid/GeoTiff.h>
 #include <mrpt_mapconv/grid/LayerPicture.h>
-#include <mrpt_mapconv/maps/LayerFiles.h>
 #include <mrpt_mapconv/sim/SimulationFiles.h>
 #include <mrpt_mapconv/sim/Truth.h>
 
@@ -210,6 +209,26 @@ double wayOf(const Trajectory& trajectory)
   return way;
 }
 
+grid::PictureStyle styleOf(const std::string& band)
+{
+  using Kind = grid::PictureKind;
+  if (band == "floor") return {"Truth: bottom of the lowest gap", "m", Kind::Height};
+  if (band == "ceiling") return {"Truth: top of the highest gap", "m", Kind::Height};
+  if (band == "slope") return {"Truth: slope of the floor", "m/m", Kind::Slope};
+  if (band == "aerial") return {"Truth: occupancy for an aerial robot", "", Kind::Occupancy};
+  return {"Truth: occupancy for a ground robot", "", Kind::Occupancy};
+}
+
+/** Logarithms: cells beside the way got a thousand times more than those far from it. */
+void writeInViewPicture(const std::string& path, grid::Layer<float> inView)
+{
+  for (float& count : inView.cells())
+    count = count > 0 ? std::log10(count) : freespace::Layers::kNone;
+  grid::writeLayerPng(
+      path, inView,
+      {"In view: 3D returns per cell (log10)", "log10(returns)", grid::PictureKind::Height});
+}
+
 void writeTruth(grid::OutputDir& out, const Scenario& scenario, const grid::Layer<float>& inView)
 {
   const auto layers = truthLayers(scenario.world, inView.frame(), scenario.truth);
@@ -217,14 +236,11 @@ void writeTruth(grid::OutputDir& out, const Scenario& scenario, const grid::Laye
   for (const auto& [name, layer] : layers.named())
   {
     bands.push_back({name, layer});
-    maps::writeLayerPicture(out.path("truth_" + name + ".png"), layers, name);
+    grid::writeLayerPng(out.path("truth_" + name + ".png"), *layer, styleOf(name));
   }
   bands.push_back({"inView", &inView});
   grid::writeGeoTiff(out.path("truth.tif"), bands);
-  auto seen = inView;
-  std::replace(seen.cells().begin(), seen.cells().end(), 0.0f, freespace::Layers::kNone);
-  grid::writeLayerPng(out.path("truth_inView.png"), seen,
-                      {"In view: 3D returns per cell", "", grid::PictureKind::Height});
+  writeInViewPicture(out.path("truth_inView.png"), inView);
 }
 }  // namespace
 

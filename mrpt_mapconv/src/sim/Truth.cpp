@@ -171,10 +171,17 @@ void TruthParams::check() const
 
 grid::GridFrame frameOf(const World& world, double resolution)
 {
-  constexpr double kMostCells = 1e5;  // on a side
-  const double side = std::max(world.max().x - world.min().x, world.max().y - world.min().y);
-  requireParameter(resolution > 0 && side / resolution < kMostCells, "resolution", resolution,
-                   "> 0 m, and at least a 100 000th of the world's side");
+  constexpr double kMostCells = 4e7, kMostOnASide = 1e5, kFarthest = 1e9;
+  const double across = (world.max().x - world.min().x) / resolution;
+  const double along = (world.max().y - world.min().y) / resolution;
+  const double farthest = std::max({std::abs(world.min().x), std::abs(world.min().y),
+                                    std::abs(world.max().x), std::abs(world.max().y)});
+  requireParameter(resolution > 0 && std::max(across, along) < kMostOnASide &&
+                       (across + 2) * (along + 2) <= kMostCells &&
+                       farthest / resolution < kFarthest,
+                   "resolution", resolution,
+                   "> 0 m, and so large that the world's bounds have at most 4e7 cells, 1e5 on a "
+                   "side");
   // of a cell: bounds on a cell's border do not touch the cell beyond
   constexpr double kBorder = 1e-6;
   const auto key = [](double v) { return static_cast<std::int32_t>(v); };

@@ -131,6 +131,11 @@ World World::fromIni(const mrpt::config::CConfigFileBase& ini,
     if (section == "world" || isOther(section, otherSections)) continue;
     world.add(section, readPrimitive(ini, section));
   }
+  if (world.size() == 0)
+    throw std::runtime_error(
+        "section 'world': there is no body in it: a section 'KIND.NAME' must be there, KIND one "
+        "of " +
+        listed(PrimitiveKind::names()));
   return world;
 }
 

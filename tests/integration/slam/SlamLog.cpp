@@ -1,7 +1,9 @@
 #include "SlamLog.h"
 
+#include <mrpt/img/CImage.h>
 #include <mrpt/io/CFileGZOutputStream.h>
 #include <mrpt/maps/CSimpleMap.h>
+#include <mrpt/math/CMatrixF.h>
 #include <mrpt/obs/CObservationPointCloud.h>
 #include <mrpt/obs/CRawlog.h>
 #include <mrpt/serialization/CArchive.h>
@@ -12,7 +14,9 @@
 
 #include <cmath>
 #include <cstdlib>
+#include <initializer_list>
 #include <sstream>
+#include <vector>
 
 namespace mrpt_mapconv::testing
 {
@@ -117,18 +121,36 @@ std::string SlamLog::said() const
   return text.size() > enough ? text.substr(text.size() - enough) : text;
 }
 
-double SlamLog::shareRight(const grid::Layer<float>& ground) const
+void SlamLog::expectRight(const grid::Layer<float>& ground, const std::string& name) const
 {
   const auto truth = grid::readGeoTiffBand(file("truth.tif"), "ground");
-  const auto inView = grid::readGeoTiffBand(file("truth.tif"), "inView");
-  return sim::shareRightWithinOneCell(ground, truth, sim::cellsFrom(inView, 1));
+  const auto judged = sim::cellsFrom(grid::readGeoTiffBand(file("truth.tif"), "inView"), 1);
+  const auto near = sim::scoreWithinOneCell(ground, truth, judged);
+  struct Demand
+  {
+    const char* what;
+    double share, least;
+    const char* measured;
+  };
+  for (const auto& [what, share, least, measured] : std::initializer_list<Demand>{
+           {"rightWithinOneCell", sim::shareRightWithinOneCell(ground, truth, judged), 0.9,
+            "0.971 to 0.987"},
+           {"right", sim::shareRight(ground, truth, judged), 0.75, "0.841 to 0.889"},
+           {"freePrecision", near.free.precision(), 0.95, "0.997 to 1"},
+           {"freeRecall", near.free.recall(), 0.95, "0.977 to 0.992"},
+           {"occupiedPrecision", near.occupied.precision(), 0.7, "0.752 to 0.859"},
+           {"occupiedRecall", near.occupied.recall(), 0.9, "0.942 to 0.961"}})
+  {
+    ::testing::Test::RecordProperty(name + '.' + what, std::to_string(share));
+    EXPECT_GE(share, least) << name << ' ' << what << "; the programs have reached " << measured;
+  }
 }
 
-double SlamLog::shareRight(const std::string& layersTif, bool inStartFrame) const
+void SlamLog::expectRight(const std::string& layersTif, bool inStartFrame) const
 {
-  if (!std::filesystem::exists(file(layersTif))) return 0;
+  ASSERT_TRUE(std::filesystem::exists(file(layersTif))) << layersTif << '\n' << said();
   const auto ground = grid::readGeoTiffBand(file(layersTif), "ground");
-  return shareRight(inStartFrame ? movedToWorld(ground) : ground);
+  expectRight(inStartFrame ? movedToWorld(ground) : ground, layersTif);
 }
 
 grid::Layer<float> SlamLog::movedToWorld(const grid::Layer<float>& layer) const
@@ -140,6 +162,15 @@ grid::Layer<float> SlamLog::movedToWorld(const grid::Layer<float>& layer) const
   grid::Layer<float> moved(frame, 0);
   moved.cells() = layer.cells();
   return moved;
+}
+
+bool isUniform(const std::string& picture)
+{
+  mrpt::img::CImage image;
+  if (!image.loadFromFile(picture)) throw std::runtime_error(picture);
+  mrpt::math::CMatrixFloat grey;
+  image.getAsMatrix(grey);
+  return grey.minCoeff() == grey.maxCoeff();
 }
 
 std::string configFile(const std::string& name)

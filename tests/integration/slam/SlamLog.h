@@ -29,13 +29,12 @@ class SlamLog
   mrpt::poses::CPose2D firstPose() const { return m_first; }  //!< true one, robot -> world
   mrpt::poses::CPose2D lastPose() const { return m_last; }    //!< likewise
 
-  /** Share of the true ground labels, of cells that the 3D scans have met, that a map has right
-   * within one cell. */
-  double shareRight(const grid::Layer<float>& ground) const;
-  /** The same of the ground layer that our map has saved; 0 without that file, since a map without
-   * any voxel saves none.
+  /** Expects a map of the ground that is right; records its scores.
+   * \param name of the scores in the test's report */
+  void expectRight(const grid::Layer<float>& ground, const std::string& name) const;
+  /** The same of the ground layer that our map has saved, called as the file is.
    * \param inStartFrame the map's frame is where the robot started, as in SLAM programs */
-  double shareRight(const std::string& layersTif, bool inStartFrame) const;
+  void expectRight(const std::string& layersTif, bool inStartFrame) const;
 
  private:
   grid::Layer<float> movedToWorld(const grid::Layer<float>& layer) const;
@@ -43,6 +42,9 @@ class SlamLog
   TempDir m_dir;
   mrpt::poses::CPose2D m_first, m_last;
 };
+
+/** Whether all pixels of a picture are the same, as those of a map are that knows nothing. */
+bool isUniform(const std::string& picture);
 
 /** A file of the repository's config/, quoted for the shell. */
 std::string configFile(const std::string& name);

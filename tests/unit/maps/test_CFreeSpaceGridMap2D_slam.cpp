@@ -1,7 +1,11 @@
+#include <mrpt/io/CMemoryStream.h>
 #include <mrpt/maps/CMultiMetricMap.h>
+#include <mrpt/serialization/CArchive.h>
 #include <mrpt/system/CTimeLogger.h>
 
+#include <future>
 #include <sstream>
+#include <utility>
 
 #include "FreeSpaceMapFixtures.h"
 
@@ -103,6 +107,41 @@ TEST(CFreeSpaceGridMap2DInSlam, AResizedGridIsSavedAsItsLayersAre)
   EXPECT_EQ(readBytes(dir.file("before_limits.txt")), readBytes(dir.file("after_limits.txt")));
 }
 
+TEST(CFreeSpaceGridMap2DInSlam, NoCopyHasAResizedGrid)
+{
+  auto map = roomMap();
+  map.resizeGrid(-50, 50, -50, 50);
+  const CFreeSpaceGridMap2D copy(map);
+  expectGridOfLayers(copy);
+  map.resizeGrid(-50, 50, -50, 50);
+  CFreeSpaceGridMap2D assigned(0.3);
+  assigned = map;
+  expectGridOfLayers(assigned);
+}
+
+TEST(CFreeSpaceGridMap2DInSlam, AResizedGridIsLaidOutOnceByManyThreads)
+{
+  const auto right = roomMap().getRawMap();
+  for (int round = 0; round < 20; ++round)
+  {
+    auto map = roomMap();
+    map.resizeGrid(-50, 50, -50, 50);
+    std::vector<std::future<bool>> copies;
+    std::vector<const mrpt::system::CTimeLogger*> times(4);
+    for (auto& seen : times)
+      copies.push_back(std::async(std::launch::async,
+                                  [&map, &right, &seen]
+                                  {
+                                    const CFreeSpaceGridMap2D copy(map);
+                                    seen = &copy.insertionTimes();
+                                    seen = &std::as_const(map).insertionTimes();
+                                    return copy.getRawMap() == right;
+                                  }));
+    for (auto& copy : copies) EXPECT_TRUE(copy.get()) << round;
+    for (const auto* seen : times) EXPECT_EQ(seen, &map.insertionTimes());
+  }
+}
+
 /** The average of particles' maps is written into the grid of a map that has no voxels. */
 TEST(CFreeSpaceGridMap2DInSlam, AGridFilledFromOutsideIsLeftAloneWhileThereAreNoVoxels)
 {
@@ -163,6 +202,34 @@ TEST(CFreeSpaceGridMap2DInSlam, CopiesTimeTheirOwnInsertions)
   EXPECT_TRUE(historyOf(copy.insertionTimes(), "insert").empty());
   copy.insertObservation(roomScan(1), kOneMetreUp);
   EXPECT_EQ(historyOf(copy.insertionTimes(), "insert").size(), 1u);
+}
+
+TEST(CFreeSpaceGridMap2DInSlam, AssigningAndReadingForgetTheTimes)
+{
+  auto assigned = roomMap(), read = roomMap();
+  assigned = roomMap();
+  mrpt::io::CMemoryStream stream;
+  auto archive = mrpt::serialization::archiveFrom(stream);
+  archive << roomMap();
+  stream.Seek(0);
+  archive >> read;
+  for (auto* map : {&assigned, &read})
+  {
+    EXPECT_TRUE(historyOf(map->insertionTimes(), "insert").empty());
+    map->insertObservation(roomScan(1), kOneMetreUp);
+    EXPECT_EQ(historyOf(map->insertionTimes(), "insert").size(), 1u);
+  }
+}
+
+TEST(CFreeSpaceGridMap2DInSlam, ABadStreamLeavesTheTimes)
+{
+  auto map = roomMap();
+  mrpt::io::CMemoryStream stream;
+  auto archive = mrpt::serialization::archiveFrom(stream);
+  archive << mrpt::maps::COccupancyGridMap2D();
+  stream.Seek(0);
+  EXPECT_ANY_THROW(archive >> map);
+  EXPECT_EQ(historyOf(map.insertionTimes(), "insert").size(), 1u);
 }
 
 TEST(CFreeSpaceGridMap2DInSlam, TimesAreSavedWithTheMap)

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <mrpt_mapconv/maps/IniText.h>
 
+#include <filesystem>
 #include <fstream>
 #include <stdexcept>
 
@@ -44,4 +45,52 @@ TEST(IniText, LinesWithoutMeaningAreNamed)
   EXPECT_NE(std::string::npos, failure(path).find("line 1"));
   EXPECT_NE(std::string::npos, failure(dir.path("none.ini")).find("cannot be opened"));
   EXPECT_NE(std::string::npos, failure(dir.path()).find("is a folder"));
+}
+
+// MRPT would give the second value, and of two sections the keys of both mixed.
+TEST(IniText, WhatIsThereTwiceIsNamed)
+{
+  const TempDir dir;
+  const std::string path = dir.path("a.ini");
+  const auto failureOf = [&](const std::string& text)
+  {
+    std::ofstream(path) << text;
+    return failure(path);
+  };
+  EXPECT_EQ(failureOf("[box.wall]\nmin = 1\n\n[box.roof]\nmin = 2\n[box.wall]\nmin = 3\n"),
+            path + ": line 6: section 'box.wall' is already in line 1; it must be there only once");
+  EXPECT_EQ(failureOf("# a\n[box.wall]\nmin = 1\nmax = 2\n  min=3\n"),
+            path +
+                ": line 5: section 'box.wall': key 'min' is already in line 3; it must be there "
+                "only once");
+  EXPECT_EQ(failureOf("[Box.wall] ; first\n[ box.WALL ]\n"),
+            path + ": line 2: section 'box.WALL' is already in line 1; it must be there only once");
+  EXPECT_EQ(failureOf("[a]\nmax = 1 \\\n 2\nMax = 3\n"),
+            path +
+                ": line 4: section 'a': key 'Max' is already in line 2; it must be there only "
+                "once");
+}
+
+TEST(IniText, WhatOnlyLooksLikeTwiceIsRead)
+{
+  const TempDir dir;
+  const std::string path = dir.path("a.ini");
+  const std::string text =
+      "[a]\nx = 1\n[b]\nx = 2\n# x = 3\n; x = 4\n// x = 5\ny = 6 \\\n x = 7\n[a.b]\nx = 8\n";
+  std::ofstream(path) << text;
+  EXPECT_EQ(text, readIniText(path));
+}
+
+TEST(IniText, TheRepositorysOwnFilesAreGood)
+{
+  const std::filesystem::path config = MRPT_MAPCONV_SOURCE_DIR "/config";
+  std::size_t files = 0;
+  for (const auto& folder : {config / "worlds", config / "experiments"})
+    for (const auto& file : std::filesystem::directory_iterator(folder))
+    {
+      EXPECT_EQ("", failure(file.path().string()));
+      ++files;
+    }
+  EXPECT_EQ("", failure((config / "conversion.ini").string()));
+  EXPECT_GE(files, 5u);
 }

@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 using mrpt_mapconv::maps::StrictSection;
 
@@ -118,6 +119,12 @@ TEST(StrictSection, ReadsTextWithoutCommentAndBlanks)
 {
   EXPECT_EQ("a b.ini", readAs<std::string>("k =  a b.ini   ; a file"));
   EXPECT_EQ("", readAs<std::string>("other = 1"));
+}
+
+TEST(StrictSection, CommentsAreNoUnknownKeys)
+{
+  const auto source = ini("// old = 1\nnew = 2");
+  EXPECT_EQ(std::vector<std::string>{"new"}, StrictSection(source, "a").unknownKeys());
 }
 
 TEST(StrictSection, NamesTheKeysNobodyAskedFor)

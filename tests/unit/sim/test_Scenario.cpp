@@ -63,6 +63,12 @@ TEST(Scenario, NamesWhatIsWrong)
   const std::string good = kRoom + kScanner + kDrive;
   const auto drive = [](const std::string& keys)
   { return kRoom + kScanner + "[trajectory]\nspeed = 1\n" + keys; };
+  const auto withBounds = [&](const std::string& bounds)
+  {
+    std::string text = good;
+    const std::string before = "-6 -6 -1  6 6 3.1";
+    return text.replace(text.find(before), before.size(), bounds);
+  };
   const std::vector<std::pair<std::string, std::string>> bad{
       {kRoom + kDrive, "there is no sensor"},
       {kRoom + kScanner, "there is no trajectory"},
@@ -80,6 +86,30 @@ TEST(Scenario, NamesWhatIsWrong)
       {good + "[log]\nposes = maybe\n", "section 'log': poses = 'maybe'"},
       {good + "[truth]\nresolution = 0\n", "section 'truth': resolution = '0'"},
       {good + "[truth]\nminClearance = -1\n", "section 'truth': minClearance"},
+      {good + "[truth]\nresolution = 0.0001\n",
+       "section 'truth': resolution = '0.0001' is not valid: it must be so large that the truth "
+       "has at most 4e7 cells, 1e5 on a side"},
+      {good + "[truth]\nresolution = 1e-300\n", "section 'truth': resolution = '1e-300'"},
+      {withBounds("-1e6 -1e6 -1  1e6 1e6 3"),
+       "section 'world': bounds = (-1e+06, -1e+06, -1) to (1e+06, 1e+06, 3) is not valid"},
+      {withBounds("-1e6 -6 -1  1e6 6 3"), "section 'world': bounds"},
+      {"[world]\nbounds = 0 0 0 1 1 1\n" + kScanner + kDrive,
+       "section 'world': there is no body in it: a section 'KIND.NAME' must be there"},
+      {good + "[box.far]\nmin = 7 0 0\nmax = 8 1 1\n",
+       "section 'box.far': the body is outside the world's bounds (-6, -6, -1) to (6, 6, 3.1)"},
+      {good + "[box.north2]\nmin = 0 7 0\nmax = 1 8 1\n", "section 'box.north2': the body is"},
+      {good + "[sphere.moon]\ncentre = 0 0 9\nradius = 5\n", "section 'sphere.moon': the body is"},
+      {good + "[cylinder.pit]\nbase = 0 0 -9\nradius = 1\nheight = 7\n",
+       "section 'cylinder.pit': the body is outside"},
+      {kRoom + kScanner + "dropout = 1\n" + kDrive, "section 'sensor.front': dropout = '1'"},
+      {kRoom + kScanner + "[trajectory]\nspeed = 1e-9\nwaypoints = [0 0 0] [1 0 0]",
+       "section 'trajectory': speed = '1e-9' is not valid: it must be such that the run takes at "
+       "most 86400 s (24 h)"},
+      {drive("turnRate = 0.001\nwaypoints = [0 0 0] [1 0 0] [1 1 0]"),
+       "section 'trajectory': turnRate = '0.001' is not valid"},
+      {kRoom + kScanner + "[trajectory]\nposes = [0 0 0 0 0 0 0] [86401 1 0 0 0 0 0]\n",
+       "section 'trajectory': poses = '[0 0 0 0 0 0 0] [86401 1 0 0 0 0 0]' is not valid"},
+      {good + "[box.floor]\nmin = 0 0 0\nmax = 1 1 1\n", "section 'box.floor' is already in line"},
       {good + "just some words\n", "'just some words' is no section, comment or key = value"},
       {drive("waypoints = [0 0 0] [5.2 0 0]"),
        "section 'trajectory': waypoints: the way from number 1 to 2, at (4.9, 0, 0), puts sensor "
@@ -105,6 +135,19 @@ TEST(Scenario, NamesWhatIsWrong)
     EXPECT_TRUE(contains(message, part)) << message << "\nis not about: " << part;
     EXPECT_FALSE(contains(message, "\n")) << message;
   }
+}
+
+TEST(Scenario, LimitsAreJustAllowed)
+{
+  const auto day =
+      load(kRoom + kScanner + "[trajectory]\nposes = [0 0 0 0 0 0 0] [86400 1 0 0 0 0 0]\n");
+  EXPECT_EQ(day.trajectory.duration(), 86400);
+  // bodies that reach into the bounds from beyond, or touch them from there: good walls for rays
+  const auto touching = load(kRoom +
+                             "[box.sky]\nmin = 0 0 3.1\nmax = 20 20 4\n"
+                             "[box.aside]\nmin = 6 0 0\nmax = 9 1 1\n" +
+                             kScanner + kDrive);
+  EXPECT_EQ(touching.world.size(), 8u);
 }
 
 TEST(Scenario, NamesAFileThatCannotBeRead)

@@ -183,33 +183,54 @@ TEST(Sensors, TheKeyDecidesWhatIsRandom)
   EXPECT_NE(bytes(7), bytes(8));
 }
 
-// A sheet of glass has two faces: half of the rays end on the first, a quarter on the second.
+// Three of ten rays end on the pane, all on the face towards the sensor.
 TEST(Sensors, LooksThroughGlass)
 {
   const World world = World::fromIni(
       CConfigFileMemory(kRoom + "[pane.window]\nfrom = 2 -3.9\nto = 2 3.9\nbottom = 0\ntop = 3\n"
-                                "thickness = 0.02\ntransparency = 0.5\n"),
+                                "thickness = 0.02\ntransparency = 0.7\n"),
       {});
   const RayCaster caster(world);
   const auto sensor = sensorOf(
       "[sensor.s]\nkind = scanner2D\nfieldOfView = 20\nrays = 10000\nrate = 1\nmaxRange = 20");
-  const CPose3D robot(0, 0, 1, 0, 0, 0);
-  std::map<long, double> shares;  // by x [mm]
-  for (const auto& p : sensor->scan(caster, robot, 99).truePoints)
-    shares[std::lround(p.x * 1000)] += 1e-4;
-  ASSERT_EQ(shares.size(), 3u);
-  EXPECT_NEAR(shares[1990], 0.5, 4 * 0.005);
-  EXPECT_NEAR(shares[2010], 0.25, 4 * 0.0044);
-  EXPECT_NEAR(shares[5000], 0.25, 4 * 0.0044);
+  for (const CPose3D& robot : {CPose3D(0, 0, 1, 0, 0, 0), CPose3D(0.5, -1, 1, 0.4, 0, 0)})
+  {
+    std::map<long, double> shares;  // by x [mm]
+    for (const auto& p : sensor->scan(caster, robot, 99).truePoints)
+      shares[std::lround(p.x * 1000)] += 1e-4;
+    ASSERT_EQ(shares.size(), 2u);
+    EXPECT_NEAR(shares[1990], 0.3, 4 * 0.0046) << "key 99";
+    EXPECT_NEAR(shares[5000], 0.7, 4 * 0.0046) << "key 99";
+  }
 }
 
-// Five perfectly clear sheets have ten faces, of which a ray passes eight.
-TEST(Sensors, LooksThroughEightFacesAtMost)
+// Each of two panes by itself: 0.5, then a half of the rest.
+TEST(Sensors, EachPaneIsDecidedByItself)
 {
   std::string text = kRoom;
-  for (int i = 1; i <= 5; ++i)
+  for (const std::string x : {"2", "3"})
+    text += "[pane.p" + x + "]\nfrom = " + x + " -3.9\nto = " + x +
+            " 3.9\nbottom = 0\ntop = 3\nthickness = 0.02\ntransparency = 0.5\n";
+  const World world = World::fromIni(CConfigFileMemory(text), {});
+  const RayCaster caster(world);
+  const auto sensor = sensorOf(
+      "[sensor.s]\nkind = scanner2D\nfieldOfView = 20\nrays = 10000\nrate = 1\nmaxRange = 20");
+  std::map<long, double> shares;  // by x [mm]
+  for (const auto& p : sensor->scan(caster, CPose3D(0, 0, 1, 0, 0, 0), 5).truePoints)
+    shares[std::lround(p.x * 1000)] += 1e-4;
+  ASSERT_EQ(shares.size(), 3u);
+  EXPECT_NEAR(shares[1990], 0.5, 4 * 0.005) << "key 5";
+  EXPECT_NEAR(shares[2990], 0.25, 4 * 0.0044) << "key 5";
+  EXPECT_NEAR(shares[5000], 0.25, 4 * 0.0044) << "key 5";
+}
+
+// Of ten perfectly clear panes a ray passes eight.
+TEST(Sensors, LooksThroughEightPanesAtMost)
+{
+  std::string text = kRoom;
+  for (int i = 1; i <= 10; ++i)
   {
-    const auto x = std::to_string(i * 0.5);
+    const auto x = std::to_string(i * 0.4);
     text += "[pane.p" + std::to_string(i) + "]\nfrom = " + x + " -3\nto = " + x +
             " 3\nbottom = 0\ntop = 3\nthickness = 0.1\ntransparency = 1\n";
   }
@@ -219,8 +240,69 @@ TEST(Sensors, LooksThroughEightFacesAtMost)
       "[sensor.l]\nkind = lidar\nelevations = 0\nazimuthSteps = 2\nrate = 1\nmaxRange = 20");
   const auto scan = sensor->scan(caster, CPose3D(0, 0, 1, 0, 0, 0), 1);
   ASSERT_EQ(scan.truePoints.size(), 2u);
-  EXPECT_NEAR(scan.truePoints[0].x, 2.45, 1e-4);
+  EXPECT_NEAR(scan.truePoints[0].x, 3.55, 1e-4);  // the ninth's near face
   EXPECT_NEAR(scan.truePoints[1].x, -5, 1e-4);
+}
+
+// At 9000 m the next number of single precision is 1 mm away.
+TEST(Sensors, LooksThroughGlassThatIsFar)
+{
+  const World world = World::fromIni(
+      CConfigFileMemory("[world]\nbounds = -1 -9 -9 9999 9 9\n[pane.p]\nfrom = 9000 -9\n"
+                        "to = 9000 9\nbottom = -9\ntop = 9\ntransparency = 1\n"
+                        "[box.wall]\nmin = 9500 -9 -9\nmax = 9501 9 9\n"),
+      {});
+  const RayCaster caster(world);
+  const auto sensor = sensorOf(
+      "[sensor.l]\nkind = lidar\nelevations = 0\nazimuthSteps = 2\nrate = 1\nmaxRange = 10000");
+  const auto scan = sensor->scan(caster, CPose3D(), 1);
+  ASSERT_EQ(scan.truePoints.size(), 1u);
+  EXPECT_NEAR(scan.truePoints[0].x, 9500, 0.01);
+}
+
+namespace
+{
+/** A room with panes 0.1 m around (0, 0), 3 m high. */
+World cabin(const std::string& transparency)
+{
+  std::string text = kRoom;
+  const std::pair<std::string, std::string> ends[] = {
+      {"0.11 -0.12", "0.11 0.12"},
+      {"-0.11 -0.12", "-0.11 0.12"},
+      {"-0.12 0.11", "0.12 0.11"},
+      {"-0.12 -0.11", "0.12 -0.11"},
+  };
+  for (const auto& [from, to] : ends)
+    text += "[pane.p" + std::to_string(text.size()) + "]\nfrom = " + from + "\nto = " + to +
+            "\nbottom = 0\ntop = 3\nthickness = 0.02\ntransparency = " + transparency + "\n";
+  return World::fromIni(CConfigFileMemory(text), {});
+}
+}  // namespace
+
+TEST(Sensors, WhatIsNearerThanMinRangeHidesTheRest)
+{
+  const World opaque = cabin("0"), clear = cabin("1"), half = cabin("0.5");
+  const CPose3D robot(0, 0, 1.5, 0, 0, 0);
+  for (const std::string noise : {"0", "0.2"})
+  {
+    const auto sensor = sensorOf(
+        "[sensor.l]\nkind = lidar\nelevations = -20 0 20\nazimuthSteps = 4000\nrate = 1\n"
+        "maxRange = 20\nminRange = 0.3\nrangeNoise = " +
+        noise);
+    const auto returns = [&](const World& world)
+    {
+      const RayCaster caster(world);
+      const auto scan = sensor->scan(caster, robot, 3);
+      EXPECT_EQ(pointsInMap(scan, robot).size(), scan.truePoints.size());
+      for (const auto& p : scan.truePoints) EXPECT_LT(offRoom(TPoint3D(p)), 1e-4);
+      return static_cast<double>(scan.truePoints.size());
+    };
+    EXPECT_EQ(returns(opaque), 0) << "noise " << noise;
+    EXPECT_EQ(returns(clear), 12000) << "noise " << noise;
+    // a few rays lead through the corner, where two panes overlap
+    EXPECT_GT(returns(half), 6000 - 4 * 55 - 12000 * 0.1) << "noise " << noise;
+    EXPECT_LT(returns(half), 6000 + 4 * 55) << "noise " << noise;
+  }
 }
 
 TEST(Sensors, ObservationsSurviveBeingStored)
@@ -258,8 +340,9 @@ TEST(Sensors, NamesWhatIsWrong)
       {lidar + "elevations = 0\npose = 1 2 3", "pose = '1 2 3'"},
       {lidar + "elevations = 0\nrangeNoise = -1", "rangeNoise = '-1'"},
       {lidar + "elevations = 0\ndropout = 1.5",
-       "dropout = '1.5' is not valid: it must be a "
-       "number from 0 to 1"},
+       "dropout = '1.5' is not valid: it must be a number from 0 to below 1"},
+      {lidar + "elevations = 0\ndropout = 1", "dropout = '1' is not valid"},
+      {lidar + "elevations = 0\ndropout = -0.1", "dropout = '-0.1' is not valid"},
       {lidar + "elevations = 0\nminRange = 11", "minRange = '11'"},
       {"[sensor.s]\nkind = lidar\nmaxRange = 5", "rate = ''"},
       {"[sensor.s]\nkind = lidar\nrate = 5\nmaxRange = -2", "maxRange = '-2'"},

@@ -9,6 +9,7 @@
 #include <mrpt/obs/CSensoryFrame.h>
 #include <mrpt/serialization/CSerializable.h>
 #include <mrpt_mapconv/grid/GeoTiff.h>
+#include <mrpt_mapconv/grid/LayerPicture.h>
 #include <mrpt_mapconv/maps/ObjectFile.h>
 #include <mrpt_mapconv/maps/ObservationPoints.h>
 #include <mrpt_mapconv/maps/ScanLog.h>
@@ -222,6 +223,31 @@ TEST(SimulationFiles, InViewCountsTheReturnsOfThe3DScans)
   EXPECT_FLOAT_EQ(at(band("slope"), 0.05, 0.05), 0);
   EXPECT_EQ(at(band("ground"), 0.05, 0.05), 0);
   EXPECT_EQ(at(band("aerial"), 5.35, 0.05), 1);
+}
+
+// The pictures are of the truth's bands and say so; that of the ground knows nothing of the aerial
+// one, whose legend would blame slopes and steps for what has no headroom.
+TEST(SimulationFiles, PicturesSayWhatTheyAre)
+{
+  using mrpt_mapconv::grid::PictureKind;
+  using mrpt_mapconv::grid::PictureStyle;
+  const TempDir dir;
+  simulate(kRoom + kLidar + kDrive, 1, dir);
+  const std::vector<std::pair<std::string, PictureStyle>> pictures{
+      {"floor", {"Truth: bottom of the lowest gap", "m", PictureKind::Height}},
+      {"slope", {"Truth: slope of the floor", "m/m", PictureKind::Slope}},
+      {"aerial", {"Truth: occupancy for an aerial robot", "", PictureKind::Occupancy}},
+      {"ground", {"Truth: occupancy for a ground robot", "", PictureKind::Occupancy}},
+      {"inView", {"In view: 3D returns per cell (log10)", "log10(returns)", PictureKind::Height}}};
+  for (const auto& [name, style] : pictures)
+  {
+    auto layer = mrpt_mapconv::grid::readGeoTiffBand(dir.path("truth.tif"), name);
+    if (name == "inView")
+      for (float& cell : layer.cells()) cell = cell > 0 ? std::log10(cell) : std::nanf("");
+    const std::string expected = dir.path("expected.png");
+    mrpt_mapconv::grid::writeLayerPng(expected, layer, style);
+    EXPECT_TRUE(readBytes(expected) == readBytes(dir.path("truth_" + name + ".png"))) << name;
+  }
 }
 
 TEST(SimulationFiles, ProgressGoesFrom0To1)

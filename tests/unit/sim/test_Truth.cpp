@@ -203,6 +203,14 @@ TEST(Truth, FrameOfAWorld)
   EXPECT_THROW(frameOf(world, -0.1), std::invalid_argument);
   EXPECT_THROW(frameOf(world, 1e-6), std::invalid_argument);
   EXPECT_THROW(frameOf(world, std::nan("")), std::invalid_argument);
+  const World square({0, 0, 0}, {620, 620, 1}), strip({0, 0, 0}, {9000, 1, 1}),
+      far({9e5, 9e5, 0}, {9e5 + 1, 9e5 + 1, 1});
+  EXPECT_EQ(frameOf(square, 0.1).size(), 6200u * 6200u);
+  EXPECT_THROW(frameOf(square, 0.095), std::invalid_argument) << "more than 4e7 cells";
+  EXPECT_EQ(frameOf(strip, 0.1).width, 90000);
+  EXPECT_THROW(frameOf(strip, 0.089), std::invalid_argument) << "more than 1e5 on a side";
+  EXPECT_EQ(frameOf(far, 0.001).x0, 900000000);
+  EXPECT_THROW(frameOf(far, 0.0005), std::invalid_argument) << "keys beyond 32 bits";
 }
 
 TEST(Truth, BadParametersGetAnError)

@@ -8,6 +8,7 @@
 #include <mrpt_mapconv/maps/VoxelInsertion.h>
 
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 
@@ -30,7 +31,9 @@ namespace mrpt_mapconv
  * is +127 for free, 0 for unknown, −max(1, round(127·value)) for occupied. The grid's frame is that
  * of layers(), whose cells lie on voxel columns. MRPT's particle filter resizes the grid behind the
  * map's back (resizeGrid() is not virtual, and keeps what the cells say): it is laid out anew
- * before the next insertion, matching, saving or step of the filter.
+ * before the next insertion, matching, saving, copying or step of the filter. MRPT's likelihood
+ * cannot be hooked (it is private in the base class): a grid that setSize() has erased is used as
+ * it is for likelihoods until then.
  *
  * Observations: see maps::sensorPoints(). Others are ignored.
  *
@@ -94,7 +97,9 @@ class CFreeSpaceGridMap2D : public mrpt::maps::COccupancyGridMap2D
   /** What each insertion into this object took, with the whole history; see saveToCSVFile(). Times
    * [s]: "insert", and its parts "insert.voxels" and "insert.layers"; user measures:
    * "insert.columns", how many columns have changed, and "insert.laidOut", 1 if all layers had to
-   * be laid out anew for it, else 0. A copy, or what is read from a stream, begins with none. */
+   * be laid out anew for it, else 0. A copy begins with none, and so does a map that another one
+   * was assigned to or that was read from a stream. rbpf-slam copies its particles' maps whenever
+   * it resamples: there the saved file begins at the last copy. */
   const mrpt::system::CTimeLogger& insertionTimes() const;
 
   void determineMatching2D(const mrpt::maps::CMetricMap* otherMap,
@@ -121,6 +126,9 @@ class CFreeSpaceGridMap2D : public mrpt::maps::COccupancyGridMap2D
   const grid::Layer<float>& occupancy() const;
   bool gridFitsLayers() const;
   void restoreGrid() const;
+  static const CFreeSpaceGridMap2D& withRestoredGrid(const CFreeSpaceGridMap2D& map);
+  mrpt::system::CTimeLogger& times() const;
+  void forgetTimes();
   void showAllCells();
   void showCells(const voxel::ColumnSet& columns);
   void takeOctree(std::unique_ptr<octomap::OcTree> tree);
@@ -137,6 +145,7 @@ class CFreeSpaceGridMap2D : public mrpt::maps::COccupancyGridMap2D
   freespace::IncrementalLayers m_layers;
   voxel::ColumnSet m_pending;  //!< changed in the octree, but not yet in the layers
   bool m_sawFree = false;      //!< some cell was free once, so nobody needs to be warned
+  mutable std::mutex m_lazy;   //!< for what const methods change: the grid's layout and m_times
   /** Made when it is needed: it has 0.6 MB, and most copies of a map never insert anything. */
   mutable std::unique_ptr<mrpt::system::CTimeLogger> m_times;
 

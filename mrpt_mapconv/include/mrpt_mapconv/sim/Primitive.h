@@ -69,7 +69,7 @@ class Primitive
   virtual const CurvedSurface* curved() const { return nullptr; }
   /** Adds the parts of the vertical line through (x, y) [m] that are inside. */
   virtual void appendSolids(double x, double y, std::vector<Solid>& solids) const = 0;
-  /** Share of the rays that go through its surface unseen, 0 … 1 (glass). */
+  /** Share of the rays that go through all of it unseen, 0 … 1 (glass). */
   virtual double transparency() const { return 0; }
 };
 

@@ -44,7 +44,9 @@ struct Scenario
    * [truth] with the keys above (and `resolution` in [truth]), which may be left out.
    *
    * The way must lead through free space within the world's bounds: the robot's origin (a
-   * centimetre above it, since it may stand on a floor) and every sensor are tried each 5 cm.
+   * centimetre above it, since it may stand on a floor) and every sensor are tried each 5 cm. It
+   * must take at most 24 h. At least one body must be there, each at least partly within the
+   * bounds, and the truth may have 4e7 cells. share/doc/worlds.md is for who writes such a file.
    * \exception std::runtime_error in one line "FILE: section 'x': …" naming key and value, and what
    * would be right; also for sections and keys that mean nothing, and if the file cannot be read */
   static Scenario load(const std::string& file);

@@ -19,10 +19,10 @@ struct SensorParams
   std::string name;           //!< the label of its observations
   mrpt::poses::CPose3D pose;  //!< sensor -> robot
   double rate = 0;            //!< scans per second [Hz]
-  double minRange = 0.1;      //!< surfaces nearer than that are not seen [m]
+  double minRange = 0.1;      //!< surfaces nearer than that are not seen, but hide others [m]
   double maxRange = 0;        //!< nor those beyond [m]
   double rangeNoise = 0;      //!< standard deviation along the ray [m]
-  double dropout = 0;         //!< share of returns that are missing, 0 … 1
+  double dropout = 0;         //!< share of returns that are missing, from 0 to below 1
 };
 
 /** What a sensor sees at one instant. */
@@ -37,7 +37,8 @@ struct Scan
 
 /** A range sensor: a fixed bundle of rays, all cast at one instant.
  *
- * A ray goes on through a surface of transparency t with probability t, through at most 8 of them.
+ * A ray goes on through a body of transparency t with probability t, whatever its number of faces,
+ * through at most 8 bodies.
  */
 class Sensor
 {
@@ -73,10 +74,10 @@ class Sensor
  * kind = lidar              // lidar | depthCamera | scanner2D
  * pose = 0 0 0.9  0 0 0     // x y z yaw pitch roll on the robot [m, degrees]; default: all 0
  * rate = 5                  // [Hz]
- * minRange = 0.1            // [m]
+ * minRange = 0.1            // [m]; what is nearer gives no return; default 0.1 or maxRange/2
  * maxRange = 15             // [m]
  * rangeNoise = 0.01         // standard deviation [m]; default 0
- * dropout = 0.01            // share of missing returns; default 0
+ * dropout = 0.01            // share of missing returns, below 1; default 0
  * \endcode
  * - lidar gives a CObservationPointCloud: `azimuthSteps` per turn, and `elevations` [degrees], or
  *   `beams` evenly from `elevationMin` to `elevationMax` [degrees];
@@ -88,5 +89,8 @@ class Sensor
  * \exception std::runtime_error in one line naming section, key and value, and what would be right;
  * also for a key that this kind does not have */
 std::unique_ptr<Sensor> readSensor(maps::StrictSection& section);
+
+/** What `kind` may be. */
+std::vector<std::string> sensorKinds();
 
 }  // namespace mrpt_mapconv::sim

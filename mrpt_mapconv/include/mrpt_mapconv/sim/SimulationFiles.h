@@ -33,7 +33,7 @@ void countReturns(const Moment& moment, grid::Layer<float>& inView);
  * - `trajectory.csv`: t,x,y,z,yaw,pitch,roll of the true pose at each moment [s, m, rad];
  * - `truth.tif`: bands floor, ceiling, slope, aerial, ground as truthLayers() gives them, and
  *   inView: how many 3D returns each cell got, without noise;
- * - `truth_NAME.png`: pictures of the bands.
+ * - `truth_NAME.png`: pictures of the bands, that of inView on a logarithmic scale.
  *
  * \param progress told the share that is done, 0 … 1; may be empty
  * \exception std::runtime_error naming the file and the reason if one cannot be written */

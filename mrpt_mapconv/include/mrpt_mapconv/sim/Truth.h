@@ -10,14 +10,16 @@ struct TruthParams
 {
   double minClearance = 1.0;  //!< a vertical gap must be at least this high to fly in [m]
   double robotHeight = 1.0;   //!< of the ground robot [m]
-  double maxSlope = 0.5;      //!< steepest ground for it [m/m]
-  double maxStep = 0.1;       //!< highest jump of the ground for it [m]
+  double maxSlope = 0.5;      //!< steepest ground for it [m/m]; the comparisons' truthSlope
+  double maxStep = 0.1;       //!< highest jump of the ground for it [m]; their truthStep
 
   /** \exception std::invalid_argument naming the parameter, its value and what would be right */
   void check() const;
 };
 
-/** The frame of the cells that a world's bounds touch. \param resolution [m] */
+/** The frame of the cells that a world's bounds touch.
+ * \param resolution [m]
+ * \exception std::invalid_argument if that would be more than 4e7 cells, or 1e5 on a side */
 grid::GridFrame frameOf(const World& world, double resolution);
 
 /** True layers, evaluated at the cells' centres from the geometry, never from a map.

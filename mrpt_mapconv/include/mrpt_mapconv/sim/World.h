@@ -31,7 +31,7 @@ class World
   /** Reads section [world] and every section [KIND.NAME]; `otherSections` names those that belong
    * to somebody else, exactly ("trajectory") or by their beginning ("sensor.").
    * \exception std::runtime_error in one line naming section, key and value, and what would be
-   * right; also for an unknown kind of primitive (the known ones are named) or an unknown key */
+   * right; also for an unknown kind (the known ones are named), an unknown key or no body at all */
   static World fromIni(const mrpt::config::CConfigFileBase& ini,
                        const std::vector<std::string>& otherSections);
 

@@ -8,7 +8,8 @@ namespace mrpt_mapconv::sim
 namespace
 {
 /** A thin upright wall, of glass for example. from, to: ends of its middle line, x y [m]; bottom,
- * top [m]; thickness [m], default 0.01; transparency 0 … 1, default 0. */
+ * top [m]; thickness [m], default 0.01; transparency: share of the rays that pass the whole pane,
+ * both faces, 0 … 1, default 0; the others return from the face that they meet first. */
 class Pane : public Primitive
 {
  public:

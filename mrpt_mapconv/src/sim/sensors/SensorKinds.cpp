@@ -6,7 +6,6 @@
 #include <cmath>
 #include <stdexcept>
 
-
 namespace mrpt_mapconv::sim
 {
 using maps::StrictSection;
@@ -49,7 +48,8 @@ SensorParams readParams(StrictSection& section)
   readOptional(section, "minRange", 0, 10000, p.minRange);
   if (p.minRange >= p.maxRange) section.fail("minRange", "below maxRange");
   readOptional(section, "rangeNoise", 0, p.maxRange, p.rangeNoise);
-  readOptional(section, "dropout", 0, 1, p.dropout);
+  section.read("dropout", p.dropout);
+  if (!(p.dropout >= 0 && p.dropout < 1)) section.fail("dropout", "a number from 0 to below 1");
   return p;
 }
 }  // namespace
@@ -79,10 +79,12 @@ mrpt::math::TPoint3Df directionAt(double azimuth, double elevation)
           static_cast<float>(std::cos(e) * std::sin(a)), static_cast<float>(std::sin(e))};
 }
 
+std::vector<std::string> sensorKinds() { return {"lidar", "depthCamera", "scanner2D"}; }
+
 std::unique_ptr<Sensor> readSensor(StrictSection& section)
 {
   using Reader = std::unique_ptr<Sensor> (*)(StrictSection&, SensorParams);
-  const std::vector<std::string> kinds{"lidar", "depthCamera", "scanner2D"};
+  const auto kinds = sensorKinds();
   const Reader readers[] = {readLidar, readDepthCamera, readScanner2D};
   int kind = -1;
   section.readChoice("kind", kinds, kind);

@@ -1,0 +1,211 @@
+#include "GridSearch.h"
+
+#include <mrpt_mapconv/grid/CellKey.h>
+#include <mrpt_mapconv/grid/OccupancyCell.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+#include "CellFlood.h"
+#include "MrptPlanner.h"
+#include "PassableCells.h"
+
+namespace mrpt_mapconv::planning
+{
+namespace
+{
+using grid::GridFrame;
+using grid::Layer;
+using mrpt::math::TPoint2D;
+
+std::string inMetres(const TPoint2D& p)
+{
+  std::ostringstream text;
+  text << "(" << p.x << ", " << p.y << ") m";
+  return text.str();
+}
+
+void check(const char* name, double value, bool valid, const char* right)
+{
+  if (valid) return;
+  std::ostringstream message;
+  message << "plan: " << name << " = " << value << " is not valid: it must be " << right;
+  throw std::invalid_argument(message.str());
+}
+
+void checkInput(const Layer<float>& occupancy, const TPoint2D& start, const TPoint2D& goal,
+                double robotRadius)
+{
+  const double resolution = occupancy.frame().resolution;
+  if (occupancy.frame().empty()) throw std::invalid_argument("plan: the layer has no cells");
+  check("resolution", resolution, std::isfinite(resolution) && resolution > 0, "positive [m]");
+  check("start x", start.x, std::isfinite(start.x), "finite [m]");
+  check("start y", start.y, std::isfinite(start.y), "finite [m]");
+  check("goal x", goal.x, std::isfinite(goal.x), "finite [m]");
+  check("goal y", goal.y, std::isfinite(goal.y), "finite [m]");
+  check("robot radius", robotRadius, std::isfinite(robotRadius) && robotRadius >= 0,
+        "finite and not negative [m]");
+}
+
+bool contains(const GridFrame& frame, const TPoint2D& p)
+{
+  return p.x >= frame.xMin() && p.x < frame.xMax() && p.y >= frame.yMin() && p.y < frame.yMax();
+}
+
+/** The waypoint of a place that the frame contains. */
+Waypoint waypointAt(const GridFrame& frame, const TPoint2D& p)
+{
+  return {{grid::cellKey(p.x, frame.resolution) - frame.x0,
+           grid::cellKey(p.y, frame.resolution) - frame.y0},
+          p};
+}
+
+TPoint2D centreOf(const GridFrame& frame, Cell cell)
+{
+  return {(frame.x0 + cell.x + 0.5) * frame.resolution,
+          (frame.y0 + cell.y + 0.5) * frame.resolution};
+}
+
+const char* kindOf(float occupancy) { return grid::isOccupied(occupancy) ? "occupied" : "unknown"; }
+
+/** In words, what comes nearest to a free cell, and how near. */
+std::string nearestObstacle(const Layer<float>& occupancy, Cell cell)
+{
+  const GridFrame& frame = occupancy.frame();
+  const std::int32_t toEdge = std::min(std::min(cell.x, frame.width - 1 - cell.x),
+                                       std::min(cell.y, frame.height - 1 - cell.y));
+  double least = squaredGap(toEdge + 1, 0);
+  std::string what = "the map's edge";
+  for (std::int32_t iy = 0; iy < frame.height; ++iy)
+    for (std::int32_t ix = 0; ix < frame.width; ++ix)
+    {
+      const double gap = squaredGap(ix - cell.x, iy - cell.y);
+      if (gap >= least || grid::isFree(occupancy.at(ix, iy))) continue;
+      least = gap;
+      what = std::string("the ") + kindOf(occupancy.at(ix, iy)) + " cell at " +
+             inMetres(centreOf(frame, {ix, iy}));
+    }
+  std::ostringstream text;
+  text << std::sqrt(least) * frame.resolution << " m of " << what;
+  return text.str();
+}
+
+/** Why the robot cannot stand at a place; empty if it can. */
+std::string problemAt(const char* name, const TPoint2D& p, const Layer<float>& occupancy,
+                      const CellMask& passable, double robotRadius)
+{
+  const GridFrame& frame = occupancy.frame();
+  std::ostringstream text;
+  text << name << " " << inMetres(p);
+  if (!contains(frame, p))
+  {
+    text << " is outside the map, which covers x from " << frame.xMin() << " to " << frame.xMax()
+         << " m and y from " << frame.yMin() << " to " << frame.yMax() << " m";
+    return text.str();
+  }
+  const Cell cell = waypointAt(frame, p).cell;
+  const float value = occupancy.at(cell.x, cell.y);
+  if (!grid::isFree(value))
+  {
+    text << " is in an " << kindOf(value) << " cell";
+    return text.str();
+  }
+  if (holds(passable, cell)) return {};
+  text << " is too near to an obstacle: its free cell comes within "
+       << nearestObstacle(occupancy, cell) << ", the robot's radius is " << robotRadius << " m";
+  return text.str();
+}
+
+/** A way over cells as a path from start to goal, through the cells' centres. */
+std::vector<Waypoint> throughCentres(const GridFrame& frame, const Waypoint& start,
+                                     const Waypoint& goal, const std::vector<Cell>& way)
+{
+  std::vector<Waypoint> path{start};
+  for (const Cell& cell : way) path.push_back({cell, centreOf(frame, cell)});
+  path.push_back(goal);
+  return path;
+}
+
+/** Makes side steps of the diagonal ones that do not keep to open cells. */
+std::vector<Cell> keptToCentres(const GridFrame& frame, const CellMask& open,
+                                const std::vector<Cell>& way)
+{
+  std::vector<Cell> kept;
+  for (const Cell& cell : way)
+  {
+    const Cell last = kept.empty() ? cell : kept.back();
+    if (last.x != cell.x && last.y != cell.y &&
+        !isClear(open, {last, centreOf(frame, last)}, {cell, centreOf(frame, cell)}))
+      kept.push_back({last.x, cell.y});
+    kept.push_back(cell);
+  }
+  return kept;
+}
+
+/** The points of a path, of which neighbours differ. */
+std::vector<TPoint2D> pointsOf(const std::vector<Waypoint>& path)
+{
+  std::vector<TPoint2D> points;
+  for (const Waypoint& waypoint : path)
+    if (points.empty() || points.back() != waypoint.point) points.push_back(waypoint.point);
+  return points;
+}
+
+}  // namespace
+
+GridSearch::GridSearch(const Layer<float>& occupancy, const TPoint2D& start, const TPoint2D& goal,
+                       double robotRadius)
+    : m_start(start), m_goal(goal), m_robotRadius(robotRadius)
+{
+  checkInput(occupancy, start, goal, robotRadius);
+  const GridFrame& frame = occupancy.frame();
+  m_passable = passableCells(occupancy, robotRadius / frame.resolution);
+  m_open = m_passable;
+  m_problem = problemAt("start", start, occupancy, m_passable, robotRadius);
+  if (m_problem.empty()) m_problem = problemAt("goal", goal, occupancy, m_passable, robotRadius);
+}
+
+void GridSearch::exclude(Cell cell)
+{
+  m_passable.at(cell.x, cell.y) = m_open.at(cell.x, cell.y) = 0;
+}
+
+void GridSearch::keepToCentre(Cell cell) { m_open.at(cell.x, cell.y) = 0; }
+
+GridPath GridSearch::plan() const
+{
+  if (!m_problem.empty()) return {{}, m_problem};
+  const Waypoint from = waypointAt(m_passable.frame(), m_start);
+  const Waypoint to = waypointAt(m_passable.frame(), m_goal);
+  if (holds(m_passable, from.cell) && holds(m_passable, to.cell))
+    if (const auto path = bestPath(from, to); !path.empty()) return {pointsOf(path), {}};
+
+  std::ostringstream problem;
+  problem << "start " << inMetres(m_start) << " and goal " << inMetres(m_goal)
+          << " are not connected for a robot with a radius of " << m_robotRadius << " m";
+  return {{}, problem.str()};
+}
+
+/** The shorter of the planner's and the flood's path whose steps are all clear; empty if there is
+ * none. */
+std::vector<Waypoint> GridSearch::bestPath(const Waypoint& from, const Waypoint& to) const
+{
+  if (isClear(m_open, from, to)) return {from, to};
+  const CellFlood flood(m_passable, from.cell);
+  if (!holds(flood.reached(), to.cell)) return {};
+  const GridFrame& frame = m_passable.frame();
+  std::vector<Waypoint> best;
+  for (const auto& way :
+       {wayOfMrptPlanner(flood.reached(), from.cell, to.cell), flood.wayTo(to.cell)})
+  {
+    const auto full = throughCentres(frame, from, to, keptToCentres(frame, m_open, way));
+    if (way.empty() || !isClear(flood.reached(), full)) continue;
+    const auto path = shortened(m_open, full);
+    if (best.empty() || length(path) < length(best)) best = path;
+  }
+  return best;
+}
+
+}  // namespace mrpt_mapconv::planning
