@@ -128,6 +128,7 @@ TEST(CFreeSpaceGridMap2DInSlam, AResizedGridIsLaidOutOnceByManyThreads)
     map.resizeGrid(-50, 50, -50, 50);
     std::vector<std::future<bool>> copies;
     std::vector<const mrpt::system::CTimeLogger*> times(4);
+    copies.reserve(times.size());
     for (auto& seen : times)
       copies.push_back(std::async(std::launch::async,
                                   [&map, &right, &seen]
