@@ -24,15 +24,22 @@ using SceneHandle = std::unique_ptr<RTCSceneTy, Releaser>;
 
 TVector3D directionOf(const RTCRay& ray) { return {ray.dir_x, ray.dir_y, ray.dir_z}; }
 
-/** Embree hands out plain pointers: ours lead to a pointer to the surface, see attachCurved(). */
-const CurvedSurface& surfaceOf(void* userData)
+/** A curved surface where it is now. */
+struct Placed
 {
-  return **static_cast<const CurvedSurface**>(userData);
-}
+  const CurvedSurface* surface = nullptr;
+  TVector3D shift{0, 0, 0};  // from where it says that it is [m]
+};
+
+/** Embree hands out plain pointers: ours are to these, see attachCurved(). */
+const Placed& placedOf(void* userData) { return *static_cast<const Placed*>(userData); }
 
 void curvedBounds(const RTCBoundsFunctionArguments* args)
 {
-  const auto [low, high] = surfaceOf(args->geometryUserPtr).bounds();
+  const Placed& placed = placedOf(args->geometryUserPtr);
+  auto [low, high] = placed.surface->bounds();
+  low += placed.shift;
+  high += placed.shift;
   // Embree's box must hold the surface also after the rounding to single precision
   const auto below = [](double v)
   { return std::nextafterf(static_cast<float>(v), -std::numeric_limits<float>::infinity()); };
@@ -47,10 +54,11 @@ void meetCurved(const RTCIntersectFunctionNArguments* args)
   if (!args->valid[0]) return;
   // rays are cast one by one, so a packet of one is the plain structure
   auto& query = *reinterpret_cast<RTCRayHit*>(args->rayhit);
-  const CurvedSurface& surface = surfaceOf(args->geometryUserPtr);
+  const Placed& placed = placedOf(args->geometryUserPtr);
   RTCRay& ray = query.ray;
-  const auto meeting =
-      surface.meet({ray.org_x, ray.org_y, ray.org_z}, directionOf(ray), ray.tnear, ray.tfar);
+  const auto meeting = placed.surface->meet(
+      {ray.org_x - placed.shift.x, ray.org_y - placed.shift.y, ray.org_z - placed.shift.z},
+      directionOf(ray), ray.tnear, ray.tfar);
   if (!meeting) return;
   ray.tfar = static_cast<float>(meeting->range);
   query.hit.Ng_x = static_cast<float>(meeting->outwards.x);
@@ -60,6 +68,7 @@ void meetCurved(const RTCIntersectFunctionNArguments* args)
   query.hit.geomID = args->geomID;
   query.hit.instID[0] = args->context->instID[0];
 }
+
 Hit hitOf(const RTCRayHit& answer)
 {
   Hit hit;
@@ -73,48 +82,102 @@ Hit hitOf(const RTCRayHit& answer)
                 static_cast<float>(normal.z)};
   return hit;
 }
+
+Hit castAt(RTCScene scene, const Ray& ray, float minRange, float maxRange)
+{
+  RTCRayHit query{};
+  query.ray.org_x = ray.origin.x;
+  query.ray.org_y = ray.origin.y;
+  query.ray.org_z = ray.origin.z;
+  query.ray.dir_x = ray.direction.x;
+  query.ray.dir_y = ray.direction.y;
+  query.ray.dir_z = ray.direction.z;
+  query.ray.tnear = minRange;
+  query.ray.tfar = maxRange;
+  query.ray.mask = ~0u;
+  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcIntersect1(scene, &context, &query);
+  return query.hit.geomID == RTC_INVALID_GEOMETRY_ID ? Hit{} : hitOf(query);
+}
 }  // namespace
 
+/** Bodies that move have a scene of their own: it is built anew whenever they do. */
 struct RayCaster::Scene
 {
   explicit Scene(const World& w);
+  SceneHandle newScene();
   void attachTriangles(unsigned id);
-  void attachCurved(unsigned id);
-  void attach(RTCGeometry geometry, unsigned id);
+  void attachCurved(const SceneHandle& to, unsigned id);
+  void attach(const SceneHandle& to, RTCGeometry geometry, unsigned id);
+  void commit(const SceneHandle& changed);
+  void moveTo(double seconds);
 
   const World& world;
   Device device;
-  SceneHandle scene;
-  std::vector<const CurvedSurface*> curved;  // by primitive; null for those of triangles
+  SceneHandle standing, moving;  // `moving` is null if nothing moves
+  std::vector<Placed> curved;    // by primitive; without a surface for those of triangles
 };
 
 RayCaster::Scene::Scene(const World& w) : world(w), device(rtcNewDevice(nullptr)), curved(w.size())
 {
   if (!device) throw std::runtime_error("Embree does not start (no memory, or an old processor)");
-  scene.reset(rtcNewScene(device.get()));
+  standing = newScene();
+  for (unsigned id = 0; id < w.size(); ++id)
+  {
+    const Primitive& body = w.primitive(id);
+    curved[id].surface = body.curved();
+    if (!body.curved())
+      attachTriangles(id);
+    else if (!body.motion())
+      attachCurved(standing, id);
+    else
+    {
+      if (!moving) moving = newScene();
+      attachCurved(moving, id);
+    }
+  }
+  commit(standing);
+  moveTo(0);
+}
+
+SceneHandle RayCaster::Scene::newScene()
+{
+  SceneHandle scene(rtcNewScene(device.get()));
   // so that no ray slips through an edge between two triangles, and for ranges that are right to
   // 0.1 mm also where a ray meets a far floor under a small angle
   rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
-  for (unsigned id = 0; id < w.size(); ++id)
-  {
-    curved[id] = w.primitive(id).curved();
-    if (curved[id])
-      attachCurved(id);
-    else
-      attachTriangles(id);
-  }
+  return scene;
+}
+
+void RayCaster::Scene::commit(const SceneHandle& changed)
+{
   // One thread builds, so that the tree and its answers are always the same; the device's own
   // option for this would bind all of the process to one thread.
-  tbb::task_arena(1).execute([this] { rtcCommitScene(scene.get()); });
+  tbb::task_arena(1).execute([&] { rtcCommitScene(changed.get()); });
   if (const RTCError error = rtcGetDeviceError(device.get()); error != RTC_ERROR_NONE)
     throw std::runtime_error("Embree could not build the world: its error " +
                              std::to_string(static_cast<int>(error)));
 }
 
-void RayCaster::Scene::attach(RTCGeometry geometry, unsigned id)
+void RayCaster::Scene::moveTo(double seconds)
+{
+  if (!moving) return;
+  for (unsigned id = 0; id < world.size(); ++id)
+  {
+    const Motion* motion = world.primitive(id).motion();
+    if (!motion) continue;
+    curved[id].shift = motion->shiftAt(seconds);
+    rtcCommitGeometry(rtcGetGeometry(moving.get(), id));
+  }
+  commit(moving);
+}
+
+void RayCaster::Scene::attach(const SceneHandle& to, RTCGeometry geometry, unsigned id)
 {
   rtcCommitGeometry(geometry);
-  rtcAttachGeometryByID(scene.get(), geometry, id);
+  rtcAttachGeometryByID(to.get(), geometry, id);
   rtcReleaseGeometry(geometry);
 }
 
@@ -132,17 +195,17 @@ void RayCaster::Scene::attachTriangles(unsigned id)
   };
   fill(RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, mesh.vertices);
   fill(RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, mesh.triangles);
-  attach(geometry, id);
+  attach(standing, geometry, id);
 }
 
-void RayCaster::Scene::attachCurved(unsigned id)
+void RayCaster::Scene::attachCurved(const SceneHandle& to, unsigned id)
 {
   const RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_USER);
   rtcSetGeometryUserPrimitiveCount(geometry, 1);
   rtcSetGeometryUserData(geometry, &curved[id]);
   rtcSetGeometryBoundsFunction(geometry, curvedBounds, nullptr);
   rtcSetGeometryIntersectFunction(geometry, meetCurved);
-  attach(geometry, id);
+  attach(to, geometry, id);
 }
 
 RayCaster::RayCaster(const World& world) : m_scene(std::make_unique<Scene>(world)) {}
@@ -150,23 +213,15 @@ RayCaster::~RayCaster() = default;
 
 const World& RayCaster::world() const { return m_scene->world; }
 
+void RayCaster::moveTo(double seconds) { m_scene->moveTo(seconds); }
+
 Hit RayCaster::cast(const Ray& ray, float minRange, float maxRange) const
 {
-  RTCRayHit query{};
-  query.ray.org_x = ray.origin.x;
-  query.ray.org_y = ray.origin.y;
-  query.ray.org_z = ray.origin.z;
-  query.ray.dir_x = ray.direction.x;
-  query.ray.dir_y = ray.direction.y;
-  query.ray.dir_z = ray.direction.z;
-  query.ray.tnear = minRange;
-  query.ray.tfar = maxRange;
-  query.ray.mask = ~0u;
-  query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  rtcIntersect1(m_scene->scene.get(), &context, &query);
-  return query.hit.geomID == RTC_INVALID_GEOMETRY_ID ? Hit{} : hitOf(query);
+  const Hit standing = castAt(m_scene->standing.get(), ray, minRange, maxRange);
+  if (!m_scene->moving) return standing;
+  const Hit moving =
+      castAt(m_scene->moving.get(), ray, minRange, std::min(maxRange, standing.range));
+  return moving.primitive >= 0 ? moving : standing;
 }
 
 void RayCaster::cast(const std::vector<Ray>& rays, float minRange, float maxRange,

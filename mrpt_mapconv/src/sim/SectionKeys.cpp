@@ -9,6 +9,13 @@ namespace
 {
 // beyond it single precision, which rays have, is worth less than a decimetre
 constexpr double kFarthest = 1e6;
+
+void requireNear(maps::StrictSection& section, const std::string& key, const std::string& meaning,
+                 const std::vector<double>& numbers)
+{
+  for (const double number : numbers)
+    if (std::abs(number) > kFarthest) section.fail(key, meaning + ", within +-1e6");
+}
 }  // namespace
 
 void require(maps::StrictSection& section, const std::string& key, const std::string& meaning)
@@ -23,8 +30,7 @@ std::vector<double> readNumbers(maps::StrictSection& section, const std::string&
   std::vector<double> numbers;
   section.read(key, numbers);
   if (numbers.size() != count) section.fail(key, meaning);
-  for (const double number : numbers)
-    if (std::abs(number) > kFarthest) section.fail(key, meaning + ", within +-1e6");
+  requireNear(section, key, meaning, numbers);
   return numbers;
 }
 
@@ -40,6 +46,19 @@ double readPositive(maps::StrictSection& section, const std::string& key)
   return number;
 }
 
+double readPositive(maps::StrictSection& section, const std::string& key, double otherwise)
+{
+  return section.has(key) ? readPositive(section, key) : otherwise;
+}
+
+double readShare(maps::StrictSection& section, const std::string& key)
+{
+  double share = 0;
+  section.read(key, share);
+  if (!(share >= 0 && share <= 1)) section.fail(key, "within 0 and 1");
+  return share;
+}
+
 mrpt::math::TPoint2D readPoint2D(maps::StrictSection& section, const std::string& key)
 {
   const auto v = readNumbers(section, key, 2, "two numbers, x y [m]");
@@ -50,6 +69,19 @@ mrpt::math::TPoint3D readPoint3D(maps::StrictSection& section, const std::string
 {
   const auto v = readNumbers(section, key, 3, "three numbers, x y z [m]");
   return {v[0], v[1], v[2]};
+}
+
+std::vector<mrpt::math::TPoint2D> readLine(maps::StrictSection& section, const std::string& key)
+{
+  const std::string meaning = "two or more points, x y x y ... [m]";
+  require(section, key, meaning);
+  std::vector<double> v;
+  section.read(key, v);
+  if (v.size() < 4 || v.size() % 2 != 0) section.fail(key, meaning);
+  requireNear(section, key, meaning, v);
+  std::vector<mrpt::math::TPoint2D> line;
+  for (std::size_t i = 0; i < v.size(); i += 2) line.emplace_back(v[i], v[i + 1]);
+  return line;
 }
 
 Corners readCorners(maps::StrictSection& section)

@@ -21,8 +21,14 @@ std::vector<double> readNumbers(maps::StrictSection& section, const std::string&
                                 std::size_t count, const std::string& meaning);
 double readNumber(maps::StrictSection& section, const std::string& key);    //!< must be there
 double readPositive(maps::StrictSection& section, const std::string& key);  //!< must be there
+/** \param otherwise what a key that is not there means */
+double readPositive(maps::StrictSection& section, const std::string& key, double otherwise);
+double readShare(maps::StrictSection& section, const std::string& key);  //!< 0 … 1; 0 if not there
 mrpt::math::TPoint2D readPoint2D(maps::StrictSection& section, const std::string& key);
 mrpt::math::TPoint3D readPoint3D(maps::StrictSection& section, const std::string& key);
+
+/** A line through two or more points, x y x y … [m]; must be there. */
+std::vector<mrpt::math::TPoint2D> readLine(maps::StrictSection& section, const std::string& key);
 
 /** Keys min and max, the corners of a box of positive size. */
 struct Corners

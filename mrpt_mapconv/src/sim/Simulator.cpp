@@ -109,6 +109,7 @@ std::optional<Moment> Simulator::next()
     moveOdometry(CPose2D(moment.pose));
   moment.odometry = m_odometry;
 
+  m_caster.moveTo(moment.seconds);
   for (std::size_t i = 0; i < slot->sensors.size(); ++i)
   {
     const Sensor& sensor = *m_scenario.sensors[slot->sensors[i]];

@@ -16,7 +16,8 @@ namespace
 {
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kSlack = 1e-9;    // a value that is exactly a limit keeps it after roundings [m]
-constexpr std::size_t kSteps = 8;  // of the lattice that jumps are looked for on, to a cell
+constexpr std::size_t kSteps = 8;  // of the lattice that is laid over a cell
+constexpr double kHair = 1e-6;     // from a cell's border to the lattice's outermost points [m]
 
 void requireParameter(bool ok, const char* name, double value, const char* right)
 {
@@ -79,11 +80,36 @@ class Probe
     return std::numeric_limits<double>::quiet_NaN();
   }
 
+  /** Whether a solid reaches into zMin … zMax [m]. */
+  bool isHitBetween(double x, double y, double zMin, double zMax)
+  {
+    m_world.solidsAt(x, y, m_solids);
+    return std::any_of(m_solids.begin(), m_solids.end(),
+                       [&](const Solid& solid)
+                       { return solid.bottom < zMax - kSlack && solid.top > zMin + kSlack; });
+  }
+
+  /** Whether there is a solid at z [m] or below. */
+  bool hasGround(double x, double y, double z)
+  {
+    m_world.solidsAt(x, y, m_solids);
+    return !m_solids.empty() && m_solids.front().bottom < z + kSlack;
+  }
+
  private:
   const World& m_world;
   std::vector<Solid> m_solids;
   Line m_line;
 };
+
+/** Where a line of the lattice over a cell lies on one axis [m]; within the world's bounds.
+ * \param low lower border of the cell \param aside how far the outermost lines lie beyond the
+ * cell's borders */
+double latticePlace(double low, double size, std::size_t step, double aside, double min, double max)
+{
+  const double hair = step == 0 ? -aside : step == kSteps ? aside : 0;
+  return std::clamp(low + size * static_cast<double>(step) / kSteps + hair, min, max);
+}
 
 /** Whether two neighbouring tops are a jump; a hole in the ground is one, too. */
 bool jumps(double a, double b, double maxStep)
@@ -98,12 +124,8 @@ bool jumpsIn(const World& world, double xLow, double yLow, double size, double m
 {
   // The outermost points lie a hair beyond the border, so that a face right on it, which is common
   // in worlds written by hand, counts for the cells on both sides whatever the rounding.
-  constexpr double kHair = 1e-6;
   const auto place = [size](double low, std::size_t step, double min, double max)
-  {
-    const double aside = step == 0 ? -kHair : step == kSteps ? kHair : 0;
-    return std::clamp(low + size * static_cast<double>(step) / kSteps + aside, min, max);
-  };
+  { return latticePlace(low, size, step, kHair, min, max); };
   std::array<double, kSteps + 1> below{};
   for (std::size_t j = 0; j <= kSteps; ++j)
   {
@@ -139,22 +161,54 @@ bool judge(const Line& line, const TruthParams& params, freespace::Layers& layer
          line.gaps.front().slope <= params.maxSlope + kSlack;
 }
 
-void fillRow(const grid::GridFrame& frame, std::int32_t iy, const TruthParams& params,
-             const World& world, Probe& probe, freespace::Layers& layers)
+/** A cell of a layer. */
+struct Cell
+{
+  std::size_t index;        // in the layer
+  double xLow, yLow;        // lower corner [m]
+  double xCentre, yCentre;  // [m]
+};
+
+/** Calls see(probe, cell) for the cells whose centre is within the bounds; several threads do.
+ * \param threads 0 = all cores */
+template <class See>
+void forEachCellWithin(const World& world, const grid::GridFrame& frame, int threads,
+                       const See& see)
 {
   const double size = frame.resolution;
-  const double y = (frame.y0 + iy + 0.5) * size;
-  if (y < world.min().y || y > world.max().y) return;
-  for (std::int32_t ix = 0; ix < frame.width; ++ix)
+  const auto seeRow = [&](Probe& probe, std::int32_t ky)
   {
-    const double x = (frame.x0 + ix + 0.5) * size;
-    if (x < world.min().x || x > world.max().x) continue;
-    const std::size_t cell = frame.indexOfKey(frame.x0 + ix, frame.y0 + iy);
-    if (judge(probe.lineAt(x, y), params, layers, cell) &&
-        !jumpsIn(world, (frame.x0 + ix) * size, (frame.y0 + iy) * size, size, params.maxStep,
-                 probe))
-      layers.ground.cells()[cell] = grid::kFree;
-  }
+    const double y = (ky + 0.5) * size;
+    if (y < world.min().y || y > world.max().y) return;
+    for (std::int32_t kx = frame.x0; kx < frame.xEnd(); ++kx)
+    {
+      const double x = (kx + 0.5) * size;
+      if (x < world.min().x || x > world.max().x) continue;
+      see(probe, Cell{frame.indexOfKey(kx, ky), kx * size, ky * size, x, y});
+    }
+  };
+  freespace::inParallel(static_cast<std::size_t>(std::max(0, frame.height)), threads,
+                        [&](std::size_t begin, std::size_t end)
+                        {
+                          Probe probe(world);
+                          for (std::size_t iy = begin; iy < end; ++iy)
+                            seeRow(probe, frame.y0 + static_cast<std::int32_t>(iy));
+                        });
+}
+
+/** Whether a solid reaches into zMin … zMax [m] on a line of the lattice. */
+bool isHitIn(const World& world, const Cell& cell, double size, double zMin, double zMax,
+             Probe& probe)
+{
+  // a hair within the border: what ends right there is not in the cell
+  const auto place = [size](double low, std::size_t step, double min, double max)
+  { return latticePlace(low, size, step, -kHair, min, max); };
+  for (std::size_t j = 0; j <= kSteps; ++j)
+    for (std::size_t i = 0; i <= kSteps; ++i)
+      if (probe.isHitBetween(place(cell.xLow, i, world.min().x, world.max().x),
+                             place(cell.yLow, j, world.min().y, world.max().y), zMin, zMax))
+        return true;
+  return false;
 }
 }  // namespace
 
@@ -199,15 +253,32 @@ freespace::Layers truthLayers(const World& world, const grid::GridFrame& frame,
 {
   params.check();
   freespace::Layers layers(frame);
-  freespace::inParallel(static_cast<std::size_t>(std::max(0, frame.height)), threads,
-                        [&](std::size_t begin, std::size_t end)
-                        {
-                          Probe probe(world);
-                          for (std::size_t iy = begin; iy < end; ++iy)
-                            fillRow(frame, static_cast<std::int32_t>(iy), params, world, probe,
-                                    layers);
-                        });
+  forEachCellWithin(
+      world, frame, threads,
+      [&](Probe& probe, const Cell& cell)
+      {
+        if (judge(probe.lineAt(cell.xCentre, cell.yCentre), params, layers, cell.index) &&
+            !jumpsIn(world, cell.xLow, cell.yLow, frame.resolution, params.maxStep, probe))
+          layers.ground.cells()[cell.index] = grid::kFree;
+      });
   return layers;
+}
+
+grid::Layer<float> obstacleLayer(const World& world, const grid::GridFrame& frame, double zMin,
+                                 double zMax, int threads)
+{
+  requireParameter(std::isfinite(zMin), "zMin", zMin, "a finite height [m]");
+  requireParameter(std::isfinite(zMax) && zMax > zMin, "zMax", zMax, "a finite height > zMin [m]");
+  grid::Layer<float> layer(frame, grid::kUnknown);
+  forEachCellWithin(world, frame, threads,
+                    [&](Probe& probe, const Cell& cell)
+                    {
+                      if (isHitIn(world, cell, frame.resolution, zMin, zMax, probe))
+                        layer.cells()[cell.index] = 1.0f;
+                      else if (probe.hasGround(cell.xCentre, cell.yCentre, zMin))
+                        layer.cells()[cell.index] = grid::kFree;
+                    });
+  return layer;
 }
 
 }  // namespace mrpt_mapconv::sim

@@ -5,21 +5,13 @@
 #include <limits>
 #include <string>
 
+#include "SectionKeys.h"
+
 namespace mrpt_mapconv::sim
 {
 namespace
 {
 using mrpt::math::TPoint2D;
-
-std::vector<TPoint2D> readLine(maps::StrictSection& section, const std::string& key)
-{
-  std::vector<double> v;
-  section.read(key, v);
-  if (v.size() < 4 || v.size() % 2 != 0) section.fail(key, "two or more points, x y x y ... [m]");
-  std::vector<TPoint2D> line;
-  for (std::size_t i = 0; i < v.size(); i += 2) line.emplace_back(v[i], v[i + 1]);
-  return line;
-}
 
 /** One size for all tunnels or one for each. */
 std::vector<double> readSizes(maps::StrictSection& section, const std::string& key,

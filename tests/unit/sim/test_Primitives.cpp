@@ -100,6 +100,37 @@ TEST(Primitives, Pane)
   expectNothing(world, 3.01, 4.02);
 }
 
+TEST(Primitives, OnlyMirrorsReflect)
+{
+  const std::string box = "[box.a]\nmin = 0 0 0\nmax = 1 1 1\n";
+  const std::string pane = "[pane.a]\nfrom = 0 0\nto = 3 4\nbottom = 0.5\ntop = 2\n";
+  for (const auto& body : {box, pane})
+  {
+    EXPECT_EQ(worldOf(body).primitive(0).mirror(), 0);
+    EXPECT_EQ(worldOf(body + "mirror = 0.06\n").primitive(0).mirror(), 0.06);
+    EXPECT_EQ(worldOf(body + "mirror = 1\n").primitive(0).transparency(), 0);
+  }
+}
+
+// its walk is test_People's
+TEST(Primitives, PersonIsACylinderThatIsNowhereForLong)
+{
+  const World world = worldOf("[person.a]\npath = 1 2  1 9\nspeed = 1\nbase = 3\n");
+  const Primitive& person = world.primitive(0);
+  EXPECT_NE(person.curved(), nullptr);
+  EXPECT_NE(person.motion(), nullptr);
+  expectNothing(world, 1, 2);
+  Mesh mesh;
+  person.appendMesh(mesh);
+  for (const auto& [x, y, z] : mesh.vertices)
+  {
+    EXPECT_NEAR(std::hypot(x - 1, y - 2), 0.2, 1e-6);
+    EXPECT_TRUE(z == 3 || z == 4.75f) << z;
+  }
+  EXPECT_EQ(worldOf("[cylinder.a]\nbase = 1 2 3\nradius = 1\nheight = 1\n").primitive(0).motion(),
+            nullptr);
+}
+
 TEST(Primitives, PaneIsOpaqueAndOneCentimetreThickByDefault)
 {
   const World world = worldOf("[pane.a]\nfrom = 0 0\nto = 0 2\nbottom = 0\ntop = 1\n");
@@ -171,8 +202,8 @@ TEST(Primitives, TunnelThroughRock)
 
 TEST(Primitives, KindsAreNamedInOrder)
 {
-  const std::vector<std::string> names{"box",  "cylinder", "heightField", "pane",
-                                       "ramp", "sphere",   "stairs"};
+  const std::vector<std::string> names{"box",  "chair", "cylinder", "heightField", "pane", "person",
+                                       "ramp", "shelf", "sphere",   "stairs",      "table"};
   EXPECT_EQ(PrimitiveKind::names(), names);
   EXPECT_EQ(PrimitiveKind::reader("Box"), nullptr);
 }
@@ -331,6 +362,44 @@ const BadBody kBadBodies[] = {
      "section 'pane.a': thickness = '0' is not valid: it must be a number > 0"},
     {"[pane.a]\nfrom = 1 1\nto = 1 2\nbottom = 0\ntop = 1\ntransparency = 1.1\n",
      "section 'pane.a': transparency = '1.1' is not valid: it must be within 0 and 1"},
+    {"[pane.a]\nfrom = 1 1\nto = 1 2\nbottom = 0\ntop = 1\nmirror = -0.1\n",
+     "section 'pane.a': mirror = '-0.1' is not valid: it must be within 0 and 1"},
+    {"[box.a]\nmin = 0 0 0\nmax = 1 1 1\nmirror = 1.1\n",
+     "section 'box.a': mirror = '1.1' is not valid: it must be within 0 and 1"},
+    {"[box.a]\nmin = 0 0 0\nmax = 1 1 1\nmirror = steel\n",
+     "section 'box.a': mirror = 'steel' is not valid: it must be a finite number"},
+    {"[sphere.a]\ncentre = 0 0 0\nradius = 1\nmirror = 1\n",
+     "section 'sphere.a': 'mirror' is not a key of a sphere: correct its name or take it out"},
+    {"[person.a]\nspeed = 1\n",
+     "section 'person.a': path = '' is not valid: it must be given: two or more points, x y x y "
+     "... "
+     "[m]"},
+    {"[person.a]\nspeed = 1\npath = 1 2\n",
+     "section 'person.a': path = '1 2' is not valid: it must be two or more points, x y x y ... "
+     "[m]"},
+    {"[person.a]\nspeed = 1\npath = 1 2 3 4 5\n",
+     "section 'person.a': path = '1 2 3 4 5' is not valid: it must be two or more points, x y x y "
+     "... [m]"},
+    {"[person.a]\nspeed = 1\npath = 1 2 1e7 4\n",
+     "section 'person.a': path = '1 2 1e7 4' is not valid: it must be two or more points, x y x y "
+     "... [m], within +-1e6"},
+    {"[person.a]\nspeed = 1\npath = 1 2 1 2\n",
+     "section 'person.a': path = '1 2 1 2' is not valid: it must be a line that leads to another "
+     "place"},
+    {"[person.a]\npath = 1 2 3 4\n",
+     "section 'person.a': speed = '' is not valid: it must be given: a number > 0"},
+    {"[person.a]\nspeed = 0\npath = 1 2 3 4\n",
+     "section 'person.a': speed = '0' is not valid: it must be a number > 0"},
+    {"[person.a]\nspeed = 1\npath = 1 2 3 4\nheight = -1\n",
+     "section 'person.a': height = '-1' is not valid: it must be a number > 0"},
+    {"[person.a]\nspeed = 1\npath = 1 2 3 4\nradius = 0\n",
+     "section 'person.a': radius = '0' is not valid: it must be a number > 0"},
+    {"[person.a]\nspeed = 1\npath = 1 2 3 4\nbase = 2 3\n",
+     "section 'person.a': base = '2 3' is not valid: it must be one number"},
+    {"[person.a]\nspeed = 1\npath = 1 2 3 4\nstart = -1\n",
+     "section 'person.a': start = '-1' is not valid: it must be a number >= 0 [s]"},
+    {"[person.a]\nspeed = 1\npath = 1 2 3 4\nyaw = 3\n",
+     "section 'person.a': 'yaw' is not a key of a person: correct its name or take it out"},
     {"[heightField.a]\nmin = 0 0\nmax = 1 0\ncell = 1\nsolid = below\n",
      "section 'heightField.a': max = '1 0' is not valid: it must be above min in x and y"},
     {"[heightField.a]\nmin = 0 0\nmax = 100 100\ncell = 0.001\nsolid = below\n",

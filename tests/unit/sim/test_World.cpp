@@ -55,7 +55,8 @@ TEST(World, BadFilesGetAnError)
               "section 'world': 'colour' is not a key of the world: correct its name or take it "
               "out");
   const std::string kinds =
-      "it must be one of box, cylinder, heightField, pane, ramp, sphere, stairs";
+      "it must be one of box, chair, cylinder, heightField, pane, person, ramp, shelf, sphere, "
+      "stairs, table";
   expectError("[bx.a]\nmin = 0 0 0\n", "section 'bx.a': 'bx' is not a kind of primitive: " + kinds);
   expectError("[trajectories]\nx = 1\n",
               "section 'trajectories': 'trajectories' is not a kind of primitive: " + kinds);

@@ -51,6 +51,16 @@ class CurvedSurface
                                       double maxRange) const = 0;
 };
 
+/** Where a body that moves is at which time. */
+class Motion
+{
+ public:
+  virtual ~Motion() = default;
+  /** How far it is from the place where its surface says that it is [m].
+   * \param seconds since the start */
+  virtual mrpt::math::TVector3D shiftAt(double seconds) const = 0;
+};
+
 /** A body that a world is made of. Its surface is seen by rays, its inside is known for the truth;
  * both describe the same geometry.
  *
@@ -61,7 +71,7 @@ class Primitive
 {
  public:
   virtual ~Primitive() = default;
-  /** The smallest rectangle that holds it. */
+  /** The smallest rectangle that holds it, at all times. */
   virtual Footprint footprint() const = 0;
   /** Adds the triangles of its surface; those of a curved one only come near it. */
   virtual void appendMesh(Mesh& mesh) const = 0;
@@ -69,8 +79,15 @@ class Primitive
   virtual const CurvedSurface* curved() const { return nullptr; }
   /** Adds the parts of the vertical line through (x, y) [m] that are inside. */
   virtual void appendSolids(double x, double y, std::vector<Solid>& solids) const = 0;
-  /** Share of the rays that go through all of it unseen, 0 … 1 (glass). */
+  /** Share of the rays that go through all of it unseen, 0 … 1 (glass); of a mirror, of those that
+   * it does not reflect. */
   virtual double transparency() const { return 0; }
+  /** Share of the rays that its faces reflect like a mirror where they are met at a right angle,
+   * 0 … 1; more do so where they are met at others, see Sensor. A body that has any is convex. */
+  virtual double mirror() const { return 0; }
+  /** How it moves; nullptr: it does not. What moves has a curved() surface and is no part of the
+   * truth. */
+  virtual const Motion* motion() const { return nullptr; }
 };
 
 /** Registers a kind of primitive: sections [kind.NAME] of a world file are read by `read`.

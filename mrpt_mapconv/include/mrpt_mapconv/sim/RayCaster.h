@@ -24,7 +24,8 @@ struct Hit
   mrpt::math::TPoint3Df normal;  //!< of the surface, of length 1, towards the ray's origin
 };
 
-/** Casts rays at a world's surfaces (by Embree). Several threads may cast at once. */
+/** Casts rays at a world's surfaces (by Embree). Several threads may cast at once, but not while
+ * the world moves. */
 class RayCaster
 {
  public:
@@ -35,6 +36,8 @@ class RayCaster
   RayCaster& operator=(const RayCaster&) = delete;
 
   const World& world() const;
+  /** Puts the bodies that move where they are at a time [s]; before the first call it is 0. */
+  void moveTo(double seconds);
   /** The first surface that each ray meets between minRange and maxRange [m]. Glass counts as any
    * other surface: whoever wants to look through it casts on from there. */
   void cast(const std::vector<Ray>& rays, float minRange, float maxRange,

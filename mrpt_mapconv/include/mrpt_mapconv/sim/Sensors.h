@@ -30,15 +30,23 @@ struct Scan
 {
   mrpt::obs::CObservation::Ptr observation;  //!< labelled and posed; it has no time yet
   bool is3D = false;
-  /** Where its returns come from, without noise, in the map's frame [m]; one for each point of the
-   * observation, in its order. */
+  // of its returns, one for each point of the observation, in its order:
+  /** Where they come from, without noise, in the map's frame [m]; those of ghosts are where the ray
+   * was reflected to, not where the sensor takes them to be. */
   std::vector<mrpt::math::TPoint3Df> truePoints;
+  std::vector<std::int32_t> bodies;    //!< which returned them: numbers in the world
+  std::vector<std::uint8_t> mirrored;  //!< 1: a ghost, the ray was reflected on its way
 };
 
 /** A range sensor: a fixed bundle of rays, all cast at one instant.
  *
- * A ray goes on through a body of transparency t with probability t, whatever its number of faces,
- * through at most 8 bodies.
+ * A ray that meets a body of mirror m at an angle a to the normal is reflected with probability
+ * m + (1 − m)(1 − cos a)⁵ (Schlick 1994), if m > 0. It then meets what is there; the sensor takes
+ * the length of all of the way for the range along the direction that it looked in: a ghost.
+ *
+ * Of the rays that are not reflected, a share t goes on through a body of transparency t, whatever
+ * its number of faces. After 8 bodies that a ray went through or was reflected by, the next one
+ * returns it.
  */
 class Sensor
 {
@@ -62,9 +70,6 @@ class Sensor
   const std::vector<mrpt::math::TPoint3Df>& directions() const { return m_directions; }
 
  private:
-  std::vector<Hit> visibleHits(const RayCaster& caster, const std::vector<Ray>& rays,
-                               std::uint64_t key) const;
-
   SensorParams m_params;
   std::vector<mrpt::math::TPoint3Df> m_directions;
 };

@@ -41,4 +41,19 @@ grid::GridFrame frameOf(const World& world, double resolution);
 freespace::Layers truthLayers(const World& world, const grid::GridFrame& frame,
                               const TruthParams& params, int threads = 0);
 
+/** What can be hit between two heights: 1 where a solid reaches into zMin … zMax (by more than
+ * 1e-9 m) anywhere in the cell, 0 where none does and there is ground, −1 where there is none: no
+ * solid at zMin or below under the cell's centre. Cells with their centre beyond the bounds are −1.
+ *
+ * Solids are looked for on a lattice with 8 steps to a cell, whose outermost points lie 1e-6 m
+ * within the cell's borders, though never beyond the bounds. So a body that ends on a border is not
+ * in the cell beyond, and none that is at least a step wide (6 mm in cells of 5 cm) is missed where
+ * it stands along the cells; where it is turned or round, at most the tip of a corner is.
+ *
+ * \param zMin,zMax heights in the world's frame [m], whatever its bounds
+ * \param threads 0 = all cores
+ * \exception std::invalid_argument unless zMin < zMax, both finite */
+grid::Layer<float> obstacleLayer(const World& world, const grid::GridFrame& frame, double zMin,
+                                 double zMax, int threads = 0);
+
 }  // namespace mrpt_mapconv::sim

@@ -7,18 +7,20 @@ namespace
 {
 constexpr double kDegree = 3.14159265358979323846 / 180;
 
-/** min, max: corners x y z [m]; yaw: turned about its centre [°], default 0. */
+/** min, max: corners x y z [m]; yaw: turned about its centre [°], default 0; mirror: share of the
+ * rays that are reflected at a right angle, 0 … 1, default 0. */
 class Box : public Primitive
 {
  public:
-  explicit Box(const Block& block) : m_block(block) {}
+  Box(const Block& block, double mirror) : m_block(block), m_mirror(mirror) {}
 
   static std::unique_ptr<Primitive> read(maps::StrictSection& section)
   {
     const Corners corners = readCorners(section);
     double yaw = 0;
     section.read("yaw", yaw);
-    return std::make_unique<Box>(Block(corners.centre(), corners.size(), yaw * kDegree));
+    return std::make_unique<Box>(Block(corners.centre(), corners.size(), yaw * kDegree),
+                                 readShare(section, "mirror"));
   }
 
   Footprint footprint() const override { return m_block.footprint(); }
@@ -27,9 +29,11 @@ class Box : public Primitive
   {
     m_block.appendSolids(x, y, solids);
   }
+  double mirror() const override { return m_mirror; }
 
  private:
   Block m_block;
+  double m_mirror;
 };
 
 const PrimitiveKind kKind("box", Box::read);
