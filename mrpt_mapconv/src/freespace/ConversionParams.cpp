@@ -1,24 +1,18 @@
 #include <mrpt_mapconv/freespace/ConversionParams.h>
+#include <mrpt_mapconv/grid/Require.h>
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 
 namespace mrpt_mapconv::freespace
 {
+using grid::require;
+
 namespace
 {
 constexpr double kSlack = 1e-6;  // of a voxel: metres that mean a whole number of voxels give it
-
-void require(bool ok, const char* name, double value, const char* right)
-{
-  if (ok) return;
-  std::ostringstream message;
-  message << name << " = " << value << " is not valid: it must be " << right;
-  throw std::invalid_argument(message.str());
-}
 
 /** Keys are 16 bits wide, so more voxels than that mean the same; this keeps the cast in range. */
 std::int32_t toVoxels(double count)

@@ -1,25 +1,19 @@
 #include <mrpt/config/CConfigFileBase.h>
+#include <mrpt_mapconv/grid/Require.h>
 #include <mrpt_mapconv/maps/StrictSection.h>
 #include <mrpt_mapconv/maps/VoxelInsertionOptions.h>
 #include <octomap/OcTree.h>
 
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 
 namespace mrpt_mapconv::maps
 {
+using grid::require;
+
 namespace
 {
 constexpr std::uint8_t kStreamVersion = 0;
-
-void require(bool ok, const char* name, double value, const char* right)
-{
-  if (ok) return;
-  std::ostringstream message;
-  message << name << " = " << value << " is not valid: it must be " << right;
-  throw std::invalid_argument(message.str());
-}
 
 bool isProbability(double p) { return p >= 0 && p <= 1; }
 }  // namespace

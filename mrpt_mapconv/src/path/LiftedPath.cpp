@@ -1,3 +1,4 @@
+#include <mrpt_mapconv/grid/Require.h>
 #include <mrpt_mapconv/path/LiftPath.h>
 
 #include <algorithm>
@@ -8,16 +9,10 @@
 
 namespace mrpt_mapconv::path
 {
+using grid::require;
+
 namespace
 {
-void require(bool ok, const char* name, double value, const std::string& right)
-{
-  if (ok) return;
-  std::ostringstream message;
-  message << name << " = " << value << " is not valid: it must be " << right;
-  throw std::invalid_argument(message.str());
-}
-
 std::string place(double x, double y)
 {
   std::ostringstream text;

@@ -181,12 +181,10 @@ Ray randomRay(const Box& box, std::mt19937& random)
 {
   std::uniform_real_distribution<double> share(-0.4, 1.4);
   std::normal_distribution<double> normal;
-  mrpt::math::TPoint3D outwards(normal(random), normal(random), normal(random));
-  outwards *= 1 / outwards.norm();
-  const auto origin = box.at(0.5, 0.5, 0.5) + outwards * 2.5;
-  auto direction = box.at(share(random), share(random), share(random)) - origin;
-  direction *= 1 / direction.norm();
-  return {mrpt::math::TPoint3Df(origin), mrpt::math::TPoint3Df(direction)};
+  const mrpt::math::TPoint3D outwards(normal(random), normal(random), normal(random));
+  const auto origin = box.at(0.5, 0.5, 0.5) + outwards.unitarize() * 2.5;
+  const auto target = box.at(share(random), share(random), share(random));
+  return {mrpt::math::TPoint3Df(origin), mrpt::math::TPoint3Df((target - origin).unitarize())};
 }
 
 TEST(Furniture, RaysFromAllSidesMeetTheSolids)

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+
+namespace mrpt_mapconv::scan
+{
+/** What an azimuth of a scan says about the cells along it. */
+enum class Model
+{
+  WholeShape,    //!< every object cell is occupied, what lies between them is free
+  ClosestPoint,  //!< the nearest object cell is occupied, what lies before it is free
+};
+
+/** How a 3D scan becomes a 2D profile (Mora et al., IEEE Sensors J. 2024, section III). Heights are
+ * those above the robot's base. */
+struct ProfileParams
+{
+  static constexpr double kUnset = std::numeric_limits<double>::quiet_NaN();
+
+  Model model = Model::WholeShape;
+  double objectMinZ = 0.05;       //!< lower end of the object slice [m]
+  double objectMaxZ = 1.5;        //!< upper end of it, the robot's height [m]
+  bool reflectionFilter = true;   //!< cut what lies behind structural elements
+  double structureMinZ = kUnset;  //!< lower end of the structure slice [m]; no default
+  double structureMaxZ = kUnset;  //!< upper end of it, just under the ceiling [m]; no default
+  double minRange = 0.3;          //!< object points nearer than that are left out, horizontally [m]
+  double maxRange = 20;           //!< likewise those farther away [m]
+  std::int32_t sectors = 0;       //!< number of lines; 0: see ScanProfile
+  double structureGap = -1;       //!< [rad]; −1: half the sensor's azimuth step, at least 0.5°
+  double structureTolerance = -1;  //!< [m]; −1: one cell
+
+  /** \exception std::invalid_argument in one line naming the parameter, its value and what would be
+   * right; also if the reflection filter has no structure slice */
+  void check() const;
+};
+
+}  // namespace mrpt_mapconv::scan

@@ -1,0 +1,58 @@
+#include "SensorPlace.h"
+
+#include <mrpt_mapconv/grid/CellKey.h>
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace mrpt_mapconv::scan
+{
+namespace
+{
+constexpr double kFarthest = 1e9;  // cells from the origin, so that keys stay within 32 bits
+
+void checkHeight(double height, const ProfileParams& params)
+{
+  const bool filter = params.reflectionFilter;
+  const double low = filter ? std::min(params.objectMinZ, params.structureMinZ) : params.objectMinZ;
+  const double high =
+      filter ? std::max(params.objectMaxZ, params.structureMaxZ) : params.objectMaxZ;
+  if (height >= low && height <= high) return;
+  std::ostringstream message;
+  message << "the sensor is " << height << " m above the robot's base, outside the slices (" << low
+          << " to " << high << " m): is its pose on the robot right?";
+  throw UnusableScan(message.str());
+}
+
+bool isFinite(const Viewpoint& view)
+{
+  const auto& pose = view.sensorPose;
+  return std::isfinite(pose.x()) && std::isfinite(pose.y()) && std::isfinite(pose.z()) &&
+         std::isfinite(pose.yaw()) && std::isfinite(pose.pitch()) && std::isfinite(pose.roll()) &&
+         std::isfinite(view.baseZ);
+}
+}  // namespace
+
+SensorPlace placeOf(const Viewpoint& view, double resolution, const ProfileParams& params)
+{
+  const auto& pose = view.sensorPose;
+  if (!isFinite(view)) throw UnusableScan("the scan's pose is not finite");
+  if (std::max(std::abs(pose.x()), std::abs(pose.y())) > kFarthest * resolution)
+  {
+    std::ostringstream message;
+    message << "the scan's pose (" << pose.x() << ", " << pose.y() << ") is more than " << kFarthest
+            << " cells from the origin";
+    throw UnusableScan(message.str());
+  }
+  checkHeight(pose.z() - view.baseZ, params);
+  SensorPlace place;
+  place.resolution = resolution;
+  place.kx = grid::cellKey(pose.x(), resolution);
+  place.ky = grid::cellKey(pose.y(), resolution);
+  place.fx = (pose.x() - place.kx * resolution) / resolution;
+  place.fy = (pose.y() - place.ky * resolution) / resolution;
+  return place;
+}
+
+}  // namespace mrpt_mapconv::scan
