@@ -1,11 +1,12 @@
 #!/usr/bin/env bash
 # The one demo command: installs packages, builds, converts maps and says where the pictures are.
-#   share/demo.sh            a simulated building, mapped, planned in and lifted to 3D; real scans
+#   share/demo.sh            a simulated building, mapped, planned in and lifted to 3D; a simulated
+#                            office, mapped from 3D scans; real scans
 #   share/demo.sh MY.bt      your own map (.bt, .ot, .simplemap, .rawlog) [and flags of mapconv convert]
 # Results go to ./mapconv-demo (or to $MRPT_MAPCONV_DEMO).
 set -euo pipefail
 case "${1:-}" in -h | --help)
-  sed -n '2,5s/^# //p' "${BASH_SOURCE[0]}"
+  sed -n '2,6s/^# //p' "${BASH_SOURCE[0]}"
   exit 0
   ;;
 esac
@@ -58,18 +59,35 @@ simulated_building() {
   made+=("$dir/paths")
 }
 
+scanned_office() {
+  local dir=$out/office
+  echo
+  echo "== office: a simulated robot with a 128-beam lidar among furniture, glass and people (a minute)"
+  "$mapconv" simulate "$root/config/worlds/office.ini" -o "$dir/run"
+  rm -f "$dir"/run/{scans,frames}.rawlog # 0.7 GB; the key frames suffice here
+  made+=("$dir/run")
+
+  echo
+  echo "== office: a 2D map of whole shapes, with reflections cut and without"
+  "$mapconv" insert "$dir/run/scans.simplemap" -c "$root/config/scan-insertion.ini" -o "$dir/map"
+  "$mapconv" insert "$dir/run/scans.simplemap" -c "$root/config/scan-insertion.ini" --no-reflection-filter -o "$dir/uncut"
+  made+=("$dir/map" "$dir/uncut")
+}
+
 if [ $# -gt 0 ]; then
   convert "own/$(basename -- "$1")" "$@"
 else
   mkdir -p "$out"
   simulated_building
+  scanned_office
   # one scan leaves gaps between its beams: coarse voxels and a low robot
   convert velodyne "$data/test_velodyne_VLP16.rawlog" --resolution 0.4 --min-clearance 0.4
   convert rgbd "$data/tests_rgbd.rawlog" --resolution 0.05 --min-clearance 0.3
 fi
 show() { # the pictures that say most, side by side; on a desktop in a window
   local pictures=() picture
-  for picture in "$out/building"/{run/truth_ground,icp-slam/LOG_ICP-SLAM/*_ground,map/floor,paths/ground,paths/aerial}.png; do
+  for picture in "$out/building"/{run/truth_ground,icp-slam/LOG_ICP-SLAM/*_ground,map/floor,paths/ground,paths/aerial}.png \
+    "$out/office"/{run/truth_ground,map/map,uncut/map}.png; do
     [ -f "$picture" ] && pictures+=("$picture")
   done
   [ ${#pictures[@]} -gt 0 ] || return 0

@@ -21,6 +21,7 @@ struct UsageError : std::runtime_error
 /** Each declares a subcommand and its options on `app` and returns what runs it. @{ */
 std::pair<CLI::App*, Command> addConvert(CLI::App& app);
 std::pair<CLI::App*, Command> addProject(CLI::App& app);
+std::pair<CLI::App*, Command> addInsert(CLI::App& app);
 std::pair<CLI::App*, Command> addInfo(CLI::App& app);
 std::pair<CLI::App*, Command> addRun(CLI::App& app, std::vector<std::string> program);
 std::pair<CLI::App*, Command> addSampleMap(CLI::App& app);

@@ -73,16 +73,18 @@ bool messagesOnTerminal() { return ::isatty(messageFile()) != 0; }
 void printError(const std::string& text) { printLine("error", text); }
 void printWarning(const std::string& text) { printLine("warning", text); }
 
-ConsoleLog::ConsoleLog() : mrpt::system::COutputLogger("mapconv")
+void takeWarningsOf(mrpt::system::COutputLogger& log)
 {
-  logging_enable_console_output = false;
-  logRegisterCallback(
+  log.logging_enable_console_output = false;
+  log.logRegisterCallback(
       [](std::string_view text, mrpt::system::VerbosityLevel level, std::string_view,
          mrpt::Clock::time_point)
       {
         if (level >= mrpt::system::LVL_WARN) printWarning(std::string(text));
       });
 }
+
+ConsoleLog::ConsoleLog() : mrpt::system::COutputLogger("mapconv") { takeWarningsOf(*this); }
 
 ResultOutput::ResultOutput()
 {

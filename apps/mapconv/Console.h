@@ -11,6 +11,9 @@ void printError(const std::string& text);
 /** Prints "mapconv: warning: …" as one line on stderr. */
 void printWarning(const std::string& text);
 
+/** Makes a logger's warnings ours, and its own console output silent. */
+void takeWarningsOf(mrpt::system::COutputLogger& log);
+
 /** Where the library logs to: its warnings become ours. */
 class ConsoleLog : public mrpt::system::COutputLogger
 {

@@ -6,6 +6,8 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "Command.h"
 #include "Console.h"
@@ -25,14 +27,33 @@ struct ExperimentOptions
   bool quick = false;
 };
 
-/** The experiments that an ini file can ask for by `kind` in its section [experiment]. */
+struct ExperimentKind
+{
+  std::string name;  //!< `kind` in section [experiment] of an ini file
+  void (*run)(const ExperimentJob&, Report&);
+};
+
+const std::vector<ExperimentKind>& kinds()
+{
+  static const std::vector<ExperimentKind> all = {{"freespace", runFreespaceExperiment},
+                                                  {"scanShape", runScanShapeExperiment}};
+  return all;
+}
+
 void runByKind(const ExperimentJob& job, Report& report)
 {
+  std::vector<std::string> names;
+  std::string list;
+  for (const ExperimentKind& kind : kinds())
+  {
+    names.push_back(kind.name);
+    list += (list.empty() ? "" : " | ") + kind.name;
+  }
   maps::StrictSection section(job.ini, "experiment");
-  int kind = -1;
-  section.readChoice("kind", {"freespace"}, kind);
-  if (kind < 0) throw std::runtime_error("section 'experiment': kind = freespace is missing");
-  runFreespaceExperiment(job, report);
+  int index = -1;
+  section.readChoice("kind", names, index);
+  if (index < 0) throw std::runtime_error("section 'experiment': kind = " + list + " is missing");
+  kinds()[static_cast<std::size_t>(index)].run(job, report);
 }
 
 std::string runExperiment(const ExperimentOptions& options, grid::OutputDir& out,

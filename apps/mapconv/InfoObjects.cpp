@@ -6,6 +6,7 @@
 #include <mrpt/obs/CObservationRobotPose.h>
 #include <mrpt/obs/CRawlog.h>
 #include <mrpt/obs/CSensoryFrame.h>
+#include <mrpt_mapconv/maps/CScanShapeGridMap2D.h>
 #include <mrpt_mapconv/maps/ObjectFile.h>
 #include <mrpt_mapconv/maps/ObservationPoints.h>
 #include <mrpt_mapconv/maps/OctoMapAccess.h>
@@ -18,6 +19,7 @@
 
 #include "InfoOctree.h"
 #include "InfoReport.h"
+#include "ScanSettings.h"
 
 namespace mapconv
 {
@@ -153,6 +155,13 @@ void describeGrid(const COccupancyGridMap2D& grid, InfoReport& report)
   report.json.add("free", free).add("occupied", occupied).add("unknown", unknown);
 }
 
+void describeScanSettings(const mrpt_mapconv::CScanShapeGridMap2D& map, InfoReport& report)
+{
+  const auto& params = map.scanInsertionOptions.profile;
+  report.line("model", settingsText(params));
+  report.json.add("parameters", settingsJson(params));
+}
+
 void describeObject(const CSerializable& object, InfoReport& report)
 {
   report.json.add("kind", className(object));
@@ -161,6 +170,8 @@ void describeObject(const CSerializable& object, InfoReport& report)
     describeOctree(*tree, report);
   else if (const auto* grid = dynamic_cast<const COccupancyGridMap2D*>(&object))
     describeGrid(*grid, report);
+  if (const auto* map = dynamic_cast<const mrpt_mapconv::CScanShapeGridMap2D*>(&object))
+    describeScanSettings(*map, report);
 }
 
 void describeLog(const LogCensus& census, InfoReport& report)

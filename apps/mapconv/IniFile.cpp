@@ -1,6 +1,5 @@
 #include "IniFile.h"
 
-#include <mrpt/config/CConfigFileMemory.h>
 #include <mrpt_mapconv/maps/IniText.h>
 #include <mrpt_mapconv/maps/MrptError.h>
 
@@ -48,21 +47,28 @@ void readSection(const CConfigFileMemory& ini, const std::string& section, const
 }
 }  // namespace
 
+CConfigFileMemory openIni(const std::string& path, const std::vector<std::string>& sections)
+{
+  CConfigFileMemory ini(mrpt_mapconv::maps::readIniText(path));
+  std::string known;
+  for (const auto& section : sections) known += (known.empty() ? "[" : " and [") + section + "]";
+  const std::string unknown = path + ": unknown section [";
+  std::vector<std::string> present;
+  ini.getAllSections(present);
+  for (const auto& section : present)
+    if (!contains(sections, section))
+      printWarning(
+          std::string(unknown).append(section).append("] has no effect; " + known + " do"));
+  if (present.empty()) printWarning(path + ": has no section, so it changes nothing");
+  return ini;
+}
+
 IniOptions readIni(const std::string& path)
 {
-  const std::string text = mrpt_mapconv::maps::readIniText(path);
+  const CConfigFileMemory ini = openIni(path, {"conversion", "insertion"});
   IniOptions options;
   try
   {
-    const CConfigFileMemory ini(text);
-    const std::string unknown = path + ": unknown section [";
-    std::vector<std::string> sections;
-    ini.getAllSections(sections);
-    for (const auto& section : sections)
-      if (section != "conversion" && section != "insertion")
-        printWarning(std::string(unknown).append(section).append(
-            "] has no effect; [conversion] and [insertion] do"));
-    if (sections.empty()) printWarning(path + ": has no section, so it changes nothing");
     readSection(ini, "conversion", path, options.conversion);
     readSection(ini, "insertion", path, options.insertion);
   }

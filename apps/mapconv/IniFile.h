@@ -1,9 +1,11 @@
 #pragma once
 
+#include <mrpt/config/CConfigFileMemory.h>
 #include <mrpt_mapconv/maps/ConversionOptions.h>
 #include <mrpt_mapconv/maps/VoxelInsertion.h>
 
 #include <string>
+#include <vector>
 
 namespace mapconv
 {
@@ -13,6 +15,12 @@ struct IniOptions
   mrpt_mapconv::maps::TConversionOptions conversion;     //!< section [conversion]
   mrpt_mapconv::maps::TVoxelInsertionOptions insertion;  //!< section [insertion]
 };
+
+/** The text of an ini file as MRPT reads it. Warns about sections other than these.
+ * \exception std::runtime_error in one line naming the file: missing, unreadable, or a line that is
+ * no ini */
+mrpt::config::CConfigFileMemory openIni(const std::string& path,
+                                        const std::vector<std::string>& sections);
 
 /** Reads an ini file; what is not in it keeps its default. Warns about sections and keys that mean
  * nothing here.

@@ -1,13 +1,8 @@
 #include "InputMap.h"
 
-#include <mrpt/maps/CSimpleMap.h>
-#include <mrpt/obs/CActionCollection.h>
-#include <mrpt/obs/CRawlog.h>
-#include <mrpt/obs/CSensoryFrame.h>
 #include <mrpt_mapconv/maps/ObjectFile.h>
 #include <mrpt_mapconv/maps/ObservationPoints.h>
 #include <mrpt_mapconv/maps/OctoMapAccess.h>
-#include <mrpt_mapconv/maps/ScanLog.h>
 #include <mrpt_mapconv/voxel/OctreeFile.h>
 #include <mrpt_mapconv/voxel/OctreeSource.h>
 #include <octomap/OcTree.h>
@@ -16,8 +11,8 @@
 #include <vector>
 
 #include "Console.h"
-#include "InputFile.h"
 #include "Json.h"
+#include "ScanFile.h"
 
 namespace mapconv
 {
@@ -25,14 +20,6 @@ using namespace mrpt_mapconv;
 
 namespace
 {
-bool isRawlogEntry(const mrpt::serialization::CSerializable& object)
-{
-  return dynamic_cast<const mrpt::obs::CObservation*>(&object) ||
-         dynamic_cast<const mrpt::obs::CSensoryFrame*>(&object) ||
-         dynamic_cast<const mrpt::obs::CActionCollection*>(&object) ||
-         dynamic_cast<const mrpt::obs::CRawlog*>(&object);
-}
-
 void warnOfUnusedOptions(const InputRequest& request, double resolution)
 {
   if (request.resolution)
@@ -40,11 +27,6 @@ void warnOfUnusedOptions(const InputRequest& request, double resolution)
                  request.file + " has voxels of " + jsonNumber(resolution) + " m");
   if (request.staticSensor)
     printWarning("--static has no effect: " + request.file + " is no rawlog");
-}
-
-std::string describe(const std::string& kind, const std::vector<maps::PosedObservation>& scans)
-{
-  return kind + " (" + std::to_string(scans.size()) + (scans.size() == 1 ? " scan)" : " scans)");
 }
 
 std::unique_ptr<octomap::OcTree> buildTree(const std::vector<maps::PosedObservation>& scans,
@@ -73,16 +55,14 @@ std::unique_ptr<octomap::OcTree> buildTree(const std::vector<maps::PosedObservat
 InputMap::InputMap(const InputRequest& request, Progress& progress)
 {
   progress.stage("reading " + request.file);
-  switch (kindOf(request.file))
+  switch (const FileKind kind = kindOf(request.file))
   {
     case FileKind::Octree:
       readTree(request);
       break;
     case FileKind::Rawlog:
-      buildFromRawlog(request, progress);
-      break;
     case FileKind::SimpleMap:
-      buildFromSimpleMap(request, progress);
+      buildFromScans(kind, request, progress);
       break;
     case FileKind::Object:
       readObject(request, progress);
@@ -116,9 +96,7 @@ void InputMap::readObject(const InputRequest& request, Progress& progress)
   std::string others;
   while (const auto object = file.next())
   {
-    if (isRawlogEntry(*object)) return buildFromRawlog(request, progress);
-    if (dynamic_cast<const mrpt::maps::CSimpleMap*>(object.get()))
-      return buildFromSimpleMap(request, progress);
+    if (const auto kind = logKindOf(*object)) return buildFromScans(*kind, request, progress);
     const std::string name = object->GetRuntimeClass()->className;
     if (const auto* tree = maps::octreeIn(*object))
     {
@@ -137,28 +115,13 @@ void InputMap::readObject(const InputRequest& request, Progress& progress)
                            (others.empty() ? "no object at all" : others));
 }
 
-void InputMap::buildFromRawlog(const InputRequest& request, Progress& progress)
+void InputMap::buildFromScans(FileKind kind, const InputRequest& request, Progress& progress)
 {
-  const ConsoleLog log;
-  maps::RawlogOptions options;
-  options.staticSensor = request.staticSensor;
-  const auto scans = maps::readRawlog(request.file, options, &log);
+  const ScanFile file = readScans(request.file, kind, request.staticSensor);
   progress.stage("inserting the scans of " + request.file);
-  m_ownTree = buildTree(scans, request, progress);
+  m_ownTree = buildTree(file.scans, request, progress);
   useTree(*m_ownTree);
-  m_description = describe("rawlog", scans);
-}
-
-void InputMap::buildFromSimpleMap(const InputRequest& request, Progress& progress)
-{
-  if (request.staticSensor)
-    printWarning("--static has no effect: " + request.file + " is no rawlog");
-  const ConsoleLog log;
-  const auto scans = maps::readSimpleMap(request.file, &log);
-  progress.stage("inserting the scans of " + request.file);
-  m_ownTree = buildTree(scans, request, progress);
-  useTree(*m_ownTree);
-  m_description = describe("simplemap", scans);
+  m_description = file.description;
 }
 
 }  // namespace mapconv

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "InputFile.h"
 #include "Progress.h"
 
 namespace octomap
@@ -46,8 +47,7 @@ class InputMap
  private:
   void readObject(const InputRequest& request, Progress& progress);
   void readTree(const InputRequest& request);
-  void buildFromRawlog(const InputRequest& request, Progress& progress);
-  void buildFromSimpleMap(const InputRequest& request, Progress& progress);
+  void buildFromScans(FileKind kind, const InputRequest& request, Progress& progress);
 
   void useTree(const octomap::AbstractOcTree& tree);
 

@@ -20,8 +20,15 @@ struct InputOptions
 
 void addInputOptions(CLI::App& app, InputOptions& options);
 
+/** The options for where results go and how the summary is printed. */
+void addOutputOptions(CLI::App& app, std::string& dir, bool& json);
+void addStaticOption(CLI::App& app, bool& staticSensor);
+
 /** Accepts finite numbers from 0 on. */
 CLI::Validator isNotNegative();
+
+/** Accepts all finite numbers. */
+CLI::Validator isFinite();
 
 /** Accepts whatever number the parser reads but NaN. */
 CLI::Validator isNumber();

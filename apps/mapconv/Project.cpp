@@ -2,7 +2,6 @@
 #include <mrpt_mapconv/grid/GeoTiff.h>
 #include <mrpt_mapconv/grid/GridMap.h>
 #include <mrpt_mapconv/grid/LayerPicture.h>
-#include <mrpt_mapconv/grid/OccupancyCell.h>
 #include <mrpt_mapconv/grid/OutputDir.h>
 #include <mrpt_mapconv/grid/RosMap.h>
 
@@ -27,16 +26,6 @@ struct ProjectOptions : InputOptions
 {
   double zMin = 0, zMax = 0;
 };
-
-OccupancyCounts countsOf(const grid::Layer<float>& layer)
-{
-  OccupancyCounts counts;
-  for (const float value : layer.cells())
-    ++(grid::isFree(value)       ? counts.free
-       : grid::isOccupied(value) ? counts.occupied
-                                 : counts.unknown);
-  return counts;
-}
 
 void writeOutputs(const grid::Layer<float>& layer, const ProjectOptions& options,
                   Interruptible& interruptible)

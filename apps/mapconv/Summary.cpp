@@ -1,10 +1,22 @@
 #include "Summary.h"
 
 #include <mrpt/core/format.h>
+#include <mrpt_mapconv/grid/OccupancyCell.h>
 
 namespace mapconv
 {
-using mrpt_mapconv::grid::GridFrame;
+namespace grid = mrpt_mapconv::grid;
+using grid::GridFrame;
+
+OccupancyCounts countsOf(const grid::Layer<float>& occupancy)
+{
+  OccupancyCounts counts;
+  for (const float value : occupancy.cells())
+    ++(grid::isFree(value)       ? counts.free
+       : grid::isOccupied(value) ? counts.occupied
+                                 : counts.unknown);
+  return counts;
+}
 
 std::string headText(const Job& job, const GridFrame& frame)
 {
@@ -28,8 +40,8 @@ std::string countsText(const std::string& label, const OccupancyCounts& counts)
 
 std::string secondsText(const Seconds& seconds)
 {
-  return mrpt::format("seconds      load %.3f, convert %.3f, write %.3f\n", seconds.load,
-                      seconds.convert, seconds.write);
+  return mrpt::format("seconds      load %.3f, %s %.3f, write %.3f\n", seconds.load,
+                      seconds.work.c_str(), seconds.convert, seconds.write);
 }
 
 JsonObject summaryJson(const Job& job, const GridFrame& frame, const OccupancyCounts& counts)
@@ -47,7 +59,7 @@ JsonObject summaryJson(const Job& job, const GridFrame& frame, const OccupancyCo
 JsonObject secondsJson(const Seconds& seconds)
 {
   JsonObject json;
-  json.add("load", seconds.load).add("convert", seconds.convert).add("write", seconds.write);
+  json.add("load", seconds.load).add(seconds.work, seconds.convert).add("write", seconds.write);
   return json;
 }
 

@@ -12,6 +12,7 @@ namespace mapconv
 struct Seconds
 {
   double load = 0, convert = 0, write = 0;
+  std::string work = "convert";  //!< what the stage between loading and writing is called
 };
 
 /** How many cells of an occupancy layer are what. */
@@ -19,6 +20,8 @@ struct OccupancyCounts
 {
   std::size_t free = 0, occupied = 0, unknown = 0;
 };
+
+OccupancyCounts countsOf(const mrpt_mapconv::grid::Layer<float>& occupancy);
 
 /** What was read and where the results are. */
 struct Job

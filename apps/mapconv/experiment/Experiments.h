@@ -18,9 +18,15 @@ struct ExperimentJob
   Progress& progress;
 };
 
+/** Each runs one kind of experiment.
+ * \exception std::exception in one line naming file, section and key, or what else failed @{ */
 /** The tables of Fredriksson et al. 2024: speed, sizes and quality of the free-space projection,
- * and paths on its maps. Sections: see config/experiments/freespace.ini.
- * \exception std::exception in one line naming file, section and key, or what else failed */
+ * and paths on its maps. Sections: see config/experiments/freespace.ini. */
 void runFreespaceExperiment(const ExperimentJob& job, Report& report);
+
+/** Table I of Mora et al. 2024: 2D maps of 3D scans with the whole shape of objects and without
+ * reflections, against the true world. Sections: see config/experiments/scan_shape.ini. */
+void runScanShapeExperiment(const ExperimentJob& job, Report& report);
+/** @} */
 
 }  // namespace mapconv

@@ -3,9 +3,10 @@
 #include <mrpt_mapconv/maps/StrictSection.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <sstream>
 #include <stdexcept>
+
+#include "ExperimentIni.h"
 
 namespace mapconv
 {
@@ -39,14 +40,7 @@ ConversionParams readConversion(const ExperimentJob& job, const std::string& nam
   section.read("maxSlope", params.maxSlope);
   section.read("maxStep", params.maxStep);
   section.refuseUnknown("a conversion");
-  try
-  {
-    params.check();
-  }
-  catch (const std::invalid_argument& error)
-  {
-    throw std::runtime_error("section '" + name + "': " + error.what());
-  }
+  checkIn(name, [&] { params.check(); });
   return params;
 }
 
@@ -58,10 +52,7 @@ FreespaceWorld readWorld(const ExperimentJob& job, const std::string& name)
     throw std::runtime_error("section 'experiment': worlds names '" + name +
                              "', but there is no such section");
   StrictSection section(job.ini, name);
-  std::string file;
-  section.read("file", file);
-  if (file.empty()) throw std::runtime_error("section '" + name + "': file = FILE is missing");
-  world.file = (std::filesystem::path(job.iniFile).parent_path() / file).string();
+  world.file = readFile(section, job);
   section.read("resolution", world.resolution);
   if (!(world.resolution > 0)) section.fail("resolution", "> 0 m");
   section.read("sliceBelow", world.sliceBelow);

@@ -8,8 +8,10 @@
 #include <mrpt_mapconv/maps/RotatingScanPoints.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace mrpt_mapconv::maps
 {
@@ -26,23 +28,22 @@ namespace
 using Points = std::vector<TPoint3Df>;
 
 template <class Coordinates>
-Points zip(const Coordinates& x, const Coordinates& y, const Coordinates& z)
+void zip(const Coordinates& x, const Coordinates& y, const Coordinates& z, Points& points)
 {
-  Points points;
   const std::size_t n = std::min({x.size(), y.size(), z.size()});
   points.reserve(n);
   for (std::size_t i = 0; i < n; ++i) points.emplace_back(x[i], y[i], z[i]);
-  return points;
 }
 
-Points zip(const mrpt::maps::CPointsMap& map)
+void zip(const mrpt::maps::CPointsMap& map, Points& points)
 {
-  return zip(map.getPointsBufferRef_x(), map.getPointsBufferRef_y(), map.getPointsBufferRef_z());
+  zip(map.getPointsBufferRef_x(), map.getPointsBufferRef_y(), map.getPointsBufferRef_z(), points);
 }
 
-Points pointsOf(const CObservation2DRangeScan& scan, PointWarnings&)
+// readScan(): adds the points, and sets the step if it is known
+
+void readScan(const CObservation2DRangeScan& scan, SensorPoints& out, PointWarnings&)
 {
-  Points points;
   const std::size_t n = scan.getScanSize();
   const double turn = scan.rightToLeft ? 1 : -1;
   for (std::size_t i = 0; i < n; ++i)
@@ -52,16 +53,22 @@ Points pointsOf(const CObservation2DRangeScan& scan, PointWarnings&)
     const double share = n > 1 ? static_cast<double>(i) / static_cast<double>(n - 1) : 0.5;
     const double angle = turn * scan.aperture * (share - 0.5);
     const double range = scan.getScanRange(i);
-    points.emplace_back(static_cast<float>(range * std::cos(angle)),
-                        static_cast<float>(range * std::sin(angle)), 0.0f);
+    out.points.emplace_back(static_cast<float>(range * std::cos(angle)),
+                            static_cast<float>(range * std::sin(angle)), 0.0f);
   }
-  return points;
 }
 
-Points pointsOf(const CObservation3DRangeScan& scan, PointWarnings&)
+void readLoaded(const CObservation3DRangeScan& scan, Points& points)
 {
   if (scan.hasPoints3D && !scan.points3D_x.empty())
-    return zip(scan.points3D_x, scan.points3D_y, scan.points3D_z);
+    zip(scan.points3D_x, scan.points3D_y, scan.points3D_z, points);
+}
+
+void readScan(const CObservation3DRangeScan& scan, SensorPoints& out, PointWarnings&)
+{
+  if (scan.cameraParams.fx() > 0) out.azimuthStep = 1 / scan.cameraParams.fx();
+  readLoaded(scan, out.points);
+  if (!out.points.empty()) return;
   // Loading and unprojecting write into the observation.
   CObservation3DRangeScan copy = scan;
   // Copies of an image share their pixels: loading them would reach the original.
@@ -69,20 +76,19 @@ Points pointsOf(const CObservation3DRangeScan& scan, PointWarnings&)
   copy.intensityImage = mrpt::img::CImage();
   copy.confidenceImage = mrpt::img::CImage();
   copy.load();
-  if (copy.hasPoints3D && !copy.points3D_x.empty())
-    return zip(copy.points3D_x, copy.points3D_y, copy.points3D_z);
-  if (!copy.hasRangeImage || copy.rangeImage.size() == 0) return {};
+  readLoaded(copy, out.points);
+  if (!out.points.empty() || !copy.hasRangeImage || copy.rangeImage.size() == 0) return;
   mrpt::maps::CSimplePointsMap cloud;
   copy.unprojectInto(cloud);
-  return zip(cloud);
+  zip(cloud, out.points);
 }
 
-Points pointsOf(const CObservationPointCloud& scan, PointWarnings&)
+void readScan(const CObservationPointCloud& scan, SensorPoints& out, PointWarnings&)
 {
-  if (scan.pointcloud) return zip(*scan.pointcloud);
+  if (scan.pointcloud) return zip(*scan.pointcloud, out.points);
   const CObservationPointCloud copy = scan;
   copy.load();
-  return copy.pointcloud ? zip(*copy.pointcloud) : Points();
+  if (copy.pointcloud) zip(*copy.pointcloud, out.points);
 }
 
 /** The model's name for the byte in a Velodyne's packet. */
@@ -99,32 +105,45 @@ std::string modelOf(const CObservationVelodyneScan& scan)
   }
 }
 
-Points pointsOf(const CObservationVelodyneScan& scan, PointWarnings& warnings)
+/** How far a Velodyne turned between most blocks of its first packet [rad]. MRPT decodes one firing
+ * of each block, so this is the step of its points as well. */
+double stepOf(const CObservationVelodyneScan& scan)
 {
+  constexpr int fullTurn = 36000;  // [0.01°]
+  const auto& blocks = scan.scan_packets.front().blocks;
+  std::array<int, CObservationVelodyneScan::BLOCKS_PER_PACKET - 1> turns{};
+  for (std::size_t i = 0; i < turns.size(); ++i)
+    turns[i] = (blocks[i + 1].rotation() - blocks[i].rotation() + fullTurn) % fullTurn;
+  // of two returns both blocks have the same azimuth
+  const auto turned = std::remove(turns.begin(), turns.end(), 0);
+  if (turned == turns.begin()) return 0;
+  const auto middle = turns.begin() + (turned - turns.begin()) / 2;
+  std::nth_element(turns.begin(), middle, turned);
+  return mrpt::DEG2RAD(0.01 * *middle);
+}
+
+void readScan(const CObservationVelodyneScan& scan, SensorPoints& out, PointWarnings& warnings)
+{
+  if (!scan.scan_packets.empty()) out.azimuthStep = stepOf(scan);
   if (scan.point_cloud.size() > 0)
-    return zip(scan.point_cloud.x, scan.point_cloud.y, scan.point_cloud.z);
-  if (scan.scan_packets.empty()) return {};
+    return zip(scan.point_cloud.x, scan.point_cloud.y, scan.point_cloud.z, out.points);
+  if (scan.scan_packets.empty()) return;
   CObservationVelodyneScan copy = scan;
   if (copy.calibration.empty()) copy.calibration = shippedCalibration(modelOf(scan));
   if (copy.calibration.empty())
-  {
-    warnings.warnOnce("Velodyne scans without calibration are skipped: MRPT ships none for " +
-                      modelOf(scan));
-    return {};
-  }
+    return warnings.warnOnce(
+        "Velodyne scans without calibration are skipped: MRPT ships none for " + modelOf(scan));
   CObservationVelodyneScan::TGeneratePointCloudParameters params;
   params.minDistance = 0;  // the scan has its own minRange
   copy.generatePointCloud(params);
-  return zip(copy.point_cloud.x, copy.point_cloud.y, copy.point_cloud.z);
+  zip(copy.point_cloud.x, copy.point_cloud.y, copy.point_cloud.z, out.points);
 }
 
-Points pointsOf(const CObservationRotatingScan& scan, PointWarnings& warnings)
+void readScan(const CObservationRotatingScan& scan, SensorPoints& out, PointWarnings& warnings)
 {
-  Points points;
-  if (!rotatingScanPoints(scan, points))
+  if (!rotatingScanPoints(scan, out.points, &out.azimuthStep))
     warnings.warnOnce("scans of the rotating scanner '" + scan.lidarModel +
                       "' are skipped: the elevation of its rows is not known");
-  return points;
 }
 
 bool isFinite(const TPoint3Df& p)
@@ -132,42 +151,35 @@ bool isFinite(const TPoint3Df& p)
   return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
 }
 
-void dropUnusable(Points& points, const std::string& label, PointWarnings& warnings)
+/** \return how many of the points were not finite */
+std::size_t dropUnusable(Points& points)
 {
-  const auto drop = [&points](const auto& isBad)
+  std::size_t notFinite = 0;
+  const auto isBad = [&notFinite](const TPoint3Df& p)
   {
-    const auto end = std::remove_if(points.begin(), points.end(), isBad);
-    const auto n = points.end() - end;
-    points.erase(end, points.end());
-    return n;
+    if (isFinite(p)) return p.x == 0 && p.y == 0 && p.z == 0;
+    ++notFinite;
+    return true;
   };
-  drop([](const TPoint3Df& p) { return p.x == 0 && p.y == 0 && p.z == 0; });
-  if (const auto n = drop([](const TPoint3Df& p) { return !isFinite(p); }); n > 0)
-    warnings.warnOnceOf(
-        "not finite: " + label,
-        std::to_string(n) + " points with NaN or infinite coordinates dropped from " + label);
-}
-
-std::string labelOf(const CObservation& obs)
-{
-  const std::string name = obs.GetRuntimeClass()->className;
-  return obs.sensorLabel.empty() ? name : name + " '" + obs.sensorLabel + "'";
+  points.erase(std::remove_if(points.begin(), points.end(), isBad), points.end());
+  return notFinite;
 }
 
 /** Reads the observation as a Scan, if it is one. */
 template <class Scan>
-bool readAs(const CObservation& obs, std::optional<SensorPoints>& out, PointWarnings& warnings)
+bool readAs(const CObservation& obs, SensorPoints& out, PointWarnings& warnings)
 {
   const auto* scan = dynamic_cast<const Scan*>(&obs);
   if (!scan) return false;
-  out.emplace();
+  out.points.clear();
+  out.azimuthStep = 0;
   try
   {
-    out->points = pointsOf(*scan, warnings);
+    readScan(*scan, out, warnings);
   }
   catch (const std::exception& e)
   {
-    throw std::runtime_error(labelOf(obs) + " cannot be read: " + oneLine(e));
+    throw std::runtime_error(nameOf(obs) + " cannot be read: " + oneLine(e));
   }
   return true;
 }
@@ -180,6 +192,12 @@ bool isAny(const CObservation& obs)
 
 }  // namespace
 
+std::string nameOf(const CObservation& obs)
+{
+  const std::string name = obs.GetRuntimeClass()->className;
+  return obs.sensorLabel.empty() ? name : name + " '" + obs.sensorLabel + "'";
+}
+
 bool is3DScan(const CObservation& obs)
 {
   return isAny<CObservation3DRangeScan, CObservationPointCloud, CObservationVelodyneScan,
@@ -191,23 +209,33 @@ bool isScan(const CObservation& obs)
   return isAny<CObservation2DRangeScan>(obs) || is3DScan(obs);
 }
 
-std::optional<SensorPoints> sensorPoints(const CObservation& obs,
-                                         const mrpt::poses::CPose3D& robotPose,
-                                         PointWarnings* warnings)
+bool sensorPoints(const CObservation& obs, const mrpt::poses::CPose3D& robotPose, SensorPoints& out,
+                  PointWarnings* warnings)
 {
   PointWarnings silent;
   PointWarnings& to = warnings ? *warnings : silent;
-  std::optional<SensorPoints> out;
   const bool read = readAs<CObservation2DRangeScan>(obs, out, to) ||
                     readAs<CObservation3DRangeScan>(obs, out, to) ||
                     readAs<CObservationPointCloud>(obs, out, to) ||
                     readAs<CObservationVelodyneScan>(obs, out, to) ||
                     readAs<CObservationRotatingScan>(obs, out, to);
-  if (!read) return std::nullopt;
-  dropUnusable(out->points, labelOf(obs), to);
+  if (!read) return false;
+  if (const auto n = dropUnusable(out.points); n > 0)
+    to.warnOnceOf(
+        "not finite: " + nameOf(obs),
+        std::to_string(n) + " points with NaN or infinite coordinates dropped from " + nameOf(obs));
   mrpt::poses::CPose3D sensorOnRobot;
   obs.getSensorPose(sensorOnRobot);
-  out->sensorPose = robotPose + sensorOnRobot;
+  out.sensorPose = robotPose + sensorOnRobot;
+  return true;
+}
+
+std::optional<SensorPoints> sensorPoints(const CObservation& obs,
+                                         const mrpt::poses::CPose3D& robotPose,
+                                         PointWarnings* warnings)
+{
+  std::optional<SensorPoints> out(std::in_place);
+  if (!sensorPoints(obs, robotPose, *out, warnings)) out.reset();
   return out;
 }
 

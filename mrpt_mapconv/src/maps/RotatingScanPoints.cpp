@@ -118,8 +118,16 @@ bool organizedPoints([[maybe_unused]] const Scan& scan,
   return !points.empty();
 }
 
-bool loadedPoints(const CObservationRotatingScan& scan, std::vector<TPoint3Df>& points)
+double stepOf(const CObservationRotatingScan& scan)
 {
+  if (scan.rangeImage.size() == 0) return 0;
+  return std::abs(scan.rangeImage.rows() == 1 ? describedColumns(scan).step : columnsOf(scan).step);
+}
+
+bool loadedPoints(const CObservationRotatingScan& scan, std::vector<TPoint3Df>& points,
+                  double* azimuthStep)
+{
+  if (azimuthStep) *azimuthStep = stepOf(scan);
   // One row first: newer MRPT's fromScan2D() fills organizedPoints in range units and not in
   // metres.
   if (scan.rangeImage.rows() == 1)
@@ -150,13 +158,14 @@ const VelodyneCalibration& shippedCalibration(const std::string& model)
   return VelodyneCalibration::LoadDefaultCalibration(name);
 }
 
-bool rotatingScanPoints(const CObservationRotatingScan& scan, std::vector<TPoint3Df>& points)
+bool rotatingScanPoints(const CObservationRotatingScan& scan, std::vector<TPoint3Df>& points,
+                        double* azimuthStep)
 {
   points.clear();
-  if (scan.rangeImage.size() != 0) return loadedPoints(scan, points);
+  if (scan.rangeImage.size() != 0) return loadedPoints(scan, points, azimuthStep);
   CObservationRotatingScan copy = scan;
   copy.load();
-  return loadedPoints(copy, points);
+  return loadedPoints(copy, points, azimuthStep);
 }
 
 }  // namespace mrpt_mapconv::maps

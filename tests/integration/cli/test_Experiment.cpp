@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -11,7 +12,9 @@ using namespace mrpt_mapconv::testing;
 
 namespace
 {
-const std::string kIni = std::string(MRPT_MAPCONV_SOURCE_DIR) + "/config/experiments/freespace.ini";
+const std::string kConfig = std::string(MRPT_MAPCONV_SOURCE_DIR) + "/config/";
+const std::string kIni = kConfig + "experiments/freespace.ini";
+const std::string kScanShapeIni = kConfig + "experiments/scan_shape.ini";
 
 /** Rows of a CSV file without quoted cells. */
 std::vector<std::vector<std::string>> rowsOf(const std::string& path)
@@ -26,6 +29,43 @@ std::vector<std::vector<std::string>> rowsOf(const std::string& path)
     for (std::string cell; std::getline(cells, cell, ',');) rows.back().push_back(cell);
   }
   return rows;
+}
+
+using Row = std::vector<std::string>;
+
+/** The first row that begins with some cells. */
+Row rowWith(const std::vector<Row>& rows, const Row& begin)
+{
+  for (const Row& row : rows)
+    if (row.size() >= begin.size() && std::equal(begin.begin(), begin.end(), row.begin()))
+      return row;
+  ADD_FAILURE() << "no row begins with " << begin.front();
+  return {};
+}
+
+double number(const Row& row, std::size_t column) { return std::stod(row.at(column)); }
+
+/** A file's only error, for which it must be refused. */
+std::string experimentError(const TempDir& dir, const std::string& text)
+{
+  std::ofstream(dir.path("e.ini")) << text;
+  const Outcome outcome = mapconv({"experiment", dir.path("e.ini"), "-o", dir.path("out")});
+  EXPECT_EQ(1, outcome.status);
+  EXPECT_TRUE(isOneError(outcome.err)) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "e.ini")) << outcome.err;
+  EXPECT_FALSE(std::filesystem::exists(dir.path("out")));
+  return outcome.err;
+}
+
+/** Text with the first `from` replaced, which must be there. */
+std::string replaced(std::string text, const std::string& from, const std::string& to)
+{
+  const auto at = text.find(from);
+  if (at == std::string::npos)
+    ADD_FAILURE() << "no " << from;
+  else
+    text.replace(at, from.size(), to);
+  return text;
 }
 }  // namespace
 
@@ -59,17 +99,9 @@ TEST(Experiment, FreespaceWritesTablesPlotsAndPictures)
 TEST(Experiment, BadFilesAreNamed)
 {
   const TempDir dir;
-  const auto error = [&](const std::string& text)
-  {
-    std::ofstream(dir.path("e.ini")) << text;
-    const Outcome outcome = mapconv({"experiment", dir.path("e.ini"), "-o", dir.path("out")});
-    EXPECT_EQ(1, outcome.status);
-    EXPECT_TRUE(isOneError(outcome.err)) << outcome.err;
-    EXPECT_TRUE(contains(outcome.err, "e.ini")) << outcome.err;
-    EXPECT_FALSE(std::filesystem::exists(dir.path("out")));
-    return outcome.err;
-  };
+  const auto error = [&](const std::string& text) { return experimentError(dir, text); };
   EXPECT_TRUE(contains(error(""), "kind"));
+  EXPECT_TRUE(contains(error(""), "freespace | scanShape"));
   EXPECT_TRUE(contains(error("[experiment]\nkind = cooking\n"), "cooking"));
   EXPECT_TRUE(contains(error("[experiment]\nkind = freespace\n"), "worlds"));
   EXPECT_TRUE(contains(error("[experiment]\nkind = freespace\nworlds = a\n"), "'a'"));
@@ -89,4 +121,108 @@ TEST(Experiment, BadFilesAreNamed)
   EXPECT_TRUE(contains(error("[experiment]\nkind = freespace\nworlds = a\n" + world +
                              "[conversion]\nminClearance = -1\n"),
                        "section 'conversion': minClearance = -1"));
+}
+
+TEST(Experiment, ScanShapeWritesTablesAndPictures)
+{
+  const TempDir dir;
+  const Outcome outcome = mapconv({"experiment", kScanShapeIni, "-o", dir.path("out"), "--quick"});
+  ASSERT_EQ(0, outcome.status) << outcome.err;
+  EXPECT_EQ("", outcome.err);
+  const std::string report = readBytes(dir.path("out/report.md"));
+  EXPECT_EQ(report, outcome.out);
+  for (const char* part : {"Table I", "0.937", "Seed 1: 8 3D scans", "MRPT refused 0"})
+    EXPECT_TRUE(contains(report, part)) << part;
+  for (const char* name :
+       {"truth", "scanner_2d", "closest_point", "counts", "whole_shape_uncut", "whole_shape_cut"})
+    EXPECT_EQ("\x89PNG", readBytes(dir.path(std::string("out/") + name + ".png")).substr(0, 4))
+        << name;
+
+  const auto scores = rowsOf(dir.path("out/table1_seeds.csv"));
+  ASSERT_EQ(6u, scores.size());  // a header, five methods of one drive
+  for (std::size_t i = 1; i < scores.size(); ++i)
+  {
+    const double precision = number(scores[i], 2), recall = number(scores[i], 3);
+    EXPECT_TRUE(precision > 0.5 && precision <= 1) << scores[i].at(1);
+    EXPECT_TRUE(recall > 0.1 && recall < 1) << scores[i].at(1);
+    EXPECT_NEAR(2 * precision * recall / (precision + recall), number(scores[i], 4), 2e-3);
+    EXPECT_EQ(scores[i].at(4), rowWith(rowsOf(dir.path("out/table1.csv")), {scores[i][1]}).at(3));
+  }
+}
+
+TEST(Experiment, ScanShapeShowsGhostsAndLintels)
+{
+  const TempDir dir;
+  ASSERT_EQ(0, mapconv({"experiment", kScanShapeIni, "-o", dir.path("out"), "--quick"}).status);
+  const auto cut = rowsOf(dir.path("out/cut.csv"));
+  ASSERT_EQ(2u, cut.size());
+  EXPECT_GT(number(cut[1], 3), 0.05);  // the gain of precision
+  EXPECT_GT(number(cut[1], 5), 500);   // real ghosts on the map without the cut
+  EXPECT_LT(number(cut[1], 7), number(cut[1], 5) / 2);
+
+  const auto regions = rowsOf(dir.path("out/regions.csv"));
+  ASSERT_EQ(9u, regions.size());
+  const Row store = rowWith(regions, {"door_3", "lintelDoor"});
+  EXPECT_GT(std::stod(store.at(3)), 30) << "the store is seen through its door";
+  EXPECT_LT(std::stod(store.at(4)), 5) << "its lintel should hide it, from where the drive begins";
+
+  const Row people = rowWith(rowsOf(dir.path("out/people.csv")), {"all"});
+  EXPECT_GT(number(people, 1), 100);
+  EXPECT_EQ(0, number(people, 5));
+  for (std::size_t i = 2; i <= 5; ++i) EXPECT_LE(number(people, i), number(people, i - 1)) << i;
+}
+
+TEST(Experiment, ScanShapeTriesItsDefaultsThreeTimes)
+{
+  const TempDir dir;
+  ASSERT_EQ(0, mapconv({"experiment", kScanShapeIni, "-o", dir.path("out"), "--quick"}).status);
+  const auto increments = rowsOf(dir.path("out/increments.csv"));
+  EXPECT_EQ(21u, increments.size());
+  const Row defaults = rowWith(increments, {"0.90", "0.40"});
+  EXPECT_EQ("35/6", defaults.at(2));
+  EXPECT_EQ("10", defaults.at(9));
+  EXPECT_EQ("6", rowWith(increments, {"0.90", "0.35"}).at(9));
+  EXPECT_EQ("19", rowWith(increments, {"0.90", "0.45"}).at(9));
+  const auto parameters = rowsOf(dir.path("out/parameters.csv"));
+  EXPECT_EQ(7u, parameters.size());
+  const Row scores(defaults.begin() + 3, defaults.begin() + 9);
+  for (const Row& begin : {Row{"structureTolerance [m]", "0.05"}, Row{"sectors", "2516"}})
+  {
+    const Row row = rowWith(parameters, begin);
+    ASSERT_EQ(8u, row.size());
+    EXPECT_EQ(scores, Row(row.begin() + 2, row.end())) << begin.front();
+  }
+}
+
+TEST(Experiment, BadScanShapeFilesAreNamed)
+{
+  const TempDir dir;
+  const std::string good =
+      replaced(readBytes(kScanShapeIni), "../worlds/office.ini", kConfig + "worlds/office.ini");
+  const auto error = [&](const std::string& from, const std::string& to)
+  { return experimentError(dir, replaced(good, from, to)); };
+  EXPECT_TRUE(contains(error("file ", "; file "), "file = FILE is missing"));
+  EXPECT_TRUE(contains(error("office.ini", "none.ini"), "none.ini"));
+  EXPECT_TRUE(contains(error("office.ini", "cave.ini"), "cave.ini: this experiment needs"));
+  EXPECT_TRUE(contains(error("seeds  ", "; seeds "), "seeds = NUMBER"));
+  EXPECT_TRUE(contains(error("1 2 3 4 5", "1 2 2"), "section 'experiment': seeds = '1 2 2'"));
+  EXPECT_TRUE(contains(error("1 2 3 4 5", "0.5"), "seeds = '0.5'"));
+  EXPECT_TRUE(contains(error("resolution = 0.05", "resolution = 0"), "resolution = '0'"));
+  EXPECT_TRUE(contains(error("maxScans   = 0", "maxScans = -1"), "maxScans = '-1'"));
+  EXPECT_TRUE(contains(error("structureMaxZ = 2.6", ""), "section 'wholeShapeCut': structureMaxZ"));
+  EXPECT_TRUE(contains(error("structureMaxZ = 2.6", "structureMaxZ = 2.6\nmodel = closestPoint"),
+                       "model = 'closestPoint'"));
+  EXPECT_TRUE(contains(error("structureMaxZ = 2.6", "structureMaxZ = 2.6\ncolour = red"),
+                       "section 'wholeShapeCut': 'colour'"));
+  EXPECT_TRUE(contains(error("horizontalTolerance = 2", "horizontalTolerance = -2"),
+                       "section 'scanner2D': horizontalTolerance = '-2'"));
+  EXPECT_TRUE(contains(error("0.913 0.610 0.731", "0.913"), "section 'paper': closestPoint"));
+  EXPECT_TRUE(contains(error("0.8 0.9 0.97", "0.8 0.4"), "section 'sweep': pHit = 0.4"));
+  EXPECT_TRUE(contains(error("1258 2516", "12.5 2516"), "section 'sweep': sectors"));
+  EXPECT_TRUE(contains(error("structureTolerance = 0 ", "structureTolerance = -3 "),
+                       "section 'sweep': structureTolerance = -3"));
+  EXPECT_TRUE(contains(error("3.63 4.42 6.31", "6.31 4.42 3.63"), "section 'region.door_1': area"));
+  EXPECT_TRUE(contains(error("kind = openDoor", "kind = window"),
+                       "section 'region.door_4': kind = 'window'"));
+  EXPECT_TRUE(contains(error("[region.door_4]", "[regoin.door_4]"), "section 'regoin.door_4'"));
 }

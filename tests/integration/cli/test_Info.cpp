@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 #include <mrpt/maps/COctoMap.h>
+#include <mrpt_mapconv/maps/CScanShapeGridMap2D.h>
 
 #include "HandMap.h"
 #include "Program.h"
@@ -94,6 +95,27 @@ TEST(Info, describesGridMapsAndOctoMaps)
   EXPECT_EQ("mrpt::maps::COctoMap", octo["kind"].text);
   EXPECT_EQ(0.25, octo["resolution"].number);
   EXPECT_EQ(1, octo["occupiedLeaves"].number);
+}
+
+TEST(Info, describesScanShapeMaps)
+{
+  const TempDir dir;
+  mrpt_mapconv::CScanShapeGridMap2D map(0.1);
+  map.scanInsertionOptions.profile.model = mrpt_mapconv::scan::Model::ClosestPoint;
+  map.scanInsertionOptions.profile.structureMinZ = 2.25;
+  map.setCell(3, 4, 0.1f);
+  map.setCell(4, 4, 0.9f);
+  writeObjects(dir.path("a.map"), {std::make_shared<mrpt_mapconv::CScanShapeGridMap2D>(map)});
+  const JsonValue json = infoOf(dir.path("a.map"));
+  EXPECT_EQ("mrpt_mapconv::CScanShapeGridMap2D", json["kind"].text);
+  EXPECT_EQ(map.getSizeX(), json["width"].number);
+  EXPECT_EQ(1, json["free"].number);
+  EXPECT_EQ(1, json["occupied"].number);
+  EXPECT_EQ("closestPoint", json["parameters"]["model"].text);
+  EXPECT_EQ(2.25, json["parameters"]["structureMinZ"].number);
+  EXPECT_EQ(JsonValue::Kind::Null, json["parameters"]["structureMaxZ"].kind);
+  const auto text = mapconv({"info", dir.path("a.map")});
+  EXPECT_TRUE(contains(text.out, "closestPoint, objects from 0.05 to 1.5 m")) << text.out;
 }
 
 TEST(Info, anyFileNameGivesValidJson)

@@ -68,6 +68,19 @@ TEST(Run, warnsOfMapsThatMrptWouldIgnoreSilently)
   EXPECT_EQ("", mapconv({"run", "--", "true", good}).err);
 }
 
+TEST(Run, knowsBothMapsOfThisLibrary)
+{
+  const TempDir dir;
+  std::ofstream(dir.path("both.ini"))
+      << "[MappingApplication]\nfreeSpaceGrid_count = 1\nscanShapeGrid_count = 1\n"
+      << "[MappingApplication_scanShapeGrid_00_insertOpts]\nreflectionFilter = false\n"
+      << "[Other]\nscanShapeGird_count = 1\n[Other_scanShapeGird_00_insertOpts]\n";
+  const auto run = mapconv({"run", "--", "true", dir.path("both.ini")});
+  EXPECT_EQ(0, run.status);
+  EXPECT_EQ(1, warningsIn(run.err)) << run.err;
+  EXPECT_TRUE(contains(run.err, "scanShapeGird_count")) << run.err;
+}
+
 TEST(Run, worksFromAFolderWithASpaceInItsName)
 {
   const TempDir dir;

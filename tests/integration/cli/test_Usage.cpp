@@ -26,7 +26,8 @@ std::vector<std::string> convertWith(const TempDir& dir, std::vector<std::string
 
 TEST(Usage, helpAndVersionAreNoErrors)
 {
-  for (const std::string command : {"", "convert", "project", "info", "run", "sample-map"})
+  for (const std::string command :
+       {"", "convert", "project", "insert", "info", "run", "sample-map"})
   {
     std::vector<std::string> arguments = {command, "--help"};
     if (command.empty()) arguments.erase(arguments.begin());
@@ -63,6 +64,8 @@ TEST(Usage, wrongUsageIsStatus2AndOneLineThatNamesIt)
       {convertWith(dir, {"--min-occupancy", "1.01"}), "--min-occupancy"},
       {convertWith(dir, {"--min-clearance"}), "--min-clearance"},
       {{"project", input, "-o", dir.path("out")}, "--z-m"},
+      {{"insert"}, "INPUT"},
+      {{"insert", input}, "--output"},
       {{"info"}, "FILE"},
       {{"run"}, "program"},
       {{"run", "--"}, "program"},

@@ -56,8 +56,7 @@ int main(int argc, char** argv)
   }
   auto maps = mapsFrom(argv[1]);
   const auto grid = maps.mapByClass<mrpt::maps::COccupancyGridMap2D>();
-  if (!grid ||
-      std::string(grid->GetRuntimeClass()->className) != "mrpt_mapconv::CFreeSpaceGridMap2D")
+  if (!grid || std::string(grid->GetRuntimeClass()->className).rfind("mrpt_mapconv::", 0) != 0)
   {
     std::printf("no map of ours was made\n");
     return 1;

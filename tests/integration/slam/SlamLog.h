@@ -4,6 +4,7 @@
 #include <mrpt_mapconv/grid/Layer.h>
 
 #include <string>
+#include <vector>
 
 #include "unit/grid/TempDir.h"
 
@@ -29,14 +30,31 @@ class SlamLog
   mrpt::poses::CPose2D firstPose() const { return m_first; }  //!< true one, robot -> world
   mrpt::poses::CPose2D lastPose() const { return m_last; }    //!< likewise
 
+  static constexpr double kFarOff = 1e9;
+  /** How far pf-localization's last estimate in said() is from the true last pose [m]; kFarOff if
+   * it made none. */
+  double errorOfEstimate() const;
+
   /** Expects a map of the ground that is right; records its scores.
    * \param name of the scores in the test's report */
   void expectRight(const grid::Layer<float>& ground, const std::string& name) const;
   /** The same of the ground layer that our map has saved, called as the file is.
    * \param inStartFrame the map's frame is where the robot started, as in SLAM programs */
   void expectRight(const std::string& layersTif, bool inStartFrame) const;
+  /** Expects a right map of what a robot of 1.5 m can hit, which our scan-shape map has saved;
+   * records its scores. */
+  void expectRightShape(const std::string& occupancyTif, bool inStartFrame) const;
 
  private:
+  /** How a demand on a score is called, what it is, and what has been measured. */
+  struct Demand
+  {
+    const char* what;
+    double share, least;
+    const char* measured;
+  };
+
+  static void expectAll(const std::string& name, const std::vector<Demand>& demands);
   grid::Layer<float> movedToWorld(const grid::Layer<float>& layer) const;
 
   TempDir m_dir;

@@ -5,7 +5,6 @@
 #include <mrpt_mapconv/grid/OccupancyCell.h>
 
 #include <cmath>
-#include <cstdio>
 
 #include "SlamLog.h"
 
@@ -16,20 +15,6 @@ using namespace mrpt_mapconv::testing;
 
 namespace
 {
-constexpr double kFarOff = 1e9;
-
-/** How far the program's last estimate is from the truth [m]; very far if it made none. */
-double errorOfEstimate(const SlamLog& log)
-{
-  const std::string label = "PDF estimation: (";
-  const auto text = readBytes(log.file("said"));
-  const auto last = text.rfind(label);
-  double x = 0, y = 0;
-  if (last == std::string::npos) return kFarOff;
-  EXPECT_EQ(std::sscanf(text.c_str() + last + label.size(), "%lf,%lf", &x, &y), 2);
-  return std::hypot(x - log.lastPose().x(), y - log.lastPose().y());
-}
-
 /** A plain grid map's cells as occupancy, 0, 1 or unknown. */
 grid::Layer<float> cellsOf(const std::string& gridmap)
 {
@@ -83,7 +68,7 @@ void expectToFindItself(const SlamLog& log, const std::string& ini)
   {
     ASSERT_EQ(localize(log, ini, rawlog), 0) << log.said();
     log.expectRight(kUsedMap + "_layers.tif", false);
-    EXPECT_LT(errorOfEstimate(log), 0.3) << rawlog << log.said();
+    EXPECT_LT(log.errorOfEstimate(), 0.3) << rawlog << log.said();
   }
 }
 
@@ -93,7 +78,7 @@ void expectNoFreeCells(const SlamLog& log, const std::string& ini)
   EXPECT_NE(localize(log, ini, "frames.rawlog"), 0);
   EXPECT_NE(log.said().find("Assert condition failed: nFreeCells"), std::string::npos)
       << log.said();
-  EXPECT_EQ(errorOfEstimate(log), kFarOff);
+  EXPECT_EQ(log.errorOfEstimate(), SlamLog::kFarOff);
 }
 
 void expectUnknown(const SlamLog& log, const std::string& layersTif)
@@ -115,7 +100,7 @@ TEST(PfLocalization, FindsItselfInAPlainGridMapWithoutThePlugin)
   {
     const std::string ini = configFile("pf-localization-gridmap.ini");
     ASSERT_EQ(log.run("pf-localization " + ini + " " + rawlog), 0) << log.said();
-    EXPECT_LT(errorOfEstimate(log), 0.3) << rawlog << log.said();
+    EXPECT_LT(log.errorOfEstimate(), 0.3) << rawlog << log.said();
   }
 }
 

@@ -12,6 +12,7 @@
 #include <cstring>
 #include <limits>
 
+#include "CountAllocations.h"
 #include "ScanFixtures.h"
 
 namespace mrpt_mapconv::maps
@@ -297,6 +298,77 @@ TEST(ObservationPoints, RotatingScan)
   scan.rangeImage(0, 0) = 2;  // 1 m to the left; nothing ahead
   scan.rangeImage(0, 2) = 6;  // 3 m to the right
   expectMapPoints(scan, {{2, 2.5, 4}, {2, 2.5, 0}});
+}
+
+TEST(ObservationPoints, TheAzimuthStepIsThatOfTheSensorsColumns)
+{
+  const auto stepOf = [](const mrpt::obs::CObservation& obs)
+  {
+    const auto got = sensorPoints(obs, {});
+    return got ? got->azimuthStep : -1;
+  };
+  mrpt::obs::CObservationRotatingScan rotating;
+  rotating.rangeResolution = 0.5;
+  rotating.azimuthSpan = -M_PI;
+  rotating.rangeImage.setConstant(1, 5, 4);
+  EXPECT_NEAR(stepOf(rotating), M_PI / 4, 1e-12);
+  rotating.rangeImage.setConstant(1, 1, 4);
+  EXPECT_EQ(stepOf(rotating), 0);
+
+  auto camera = rangeCamera(8);
+  camera.cameraParams.setIntrinsicParamsFromValues(500, 400, 1, 0);
+  EXPECT_NEAR(stepOf(camera), 1.0 / 500, 1e-12);
+  camera.cameraParams.setIntrinsicParamsFromValues(0, 0, 0, 0);
+  camera.hasPoints3D = true;
+  camera.resizePoints3DVectors(1);
+  EXPECT_EQ(stepOf(camera), 0);
+
+  auto packets = velodyne();
+  EXPECT_EQ(stepOf(packets), 0) << "it stands still";
+  for (std::size_t block = 0; block < 12; ++block)  // each twice, over north, one step missing
+  {
+    const std::size_t turned = 35900 + 40 * (block / 2) + (block > 7 ? 40 : 0);
+    put<std::uint16_t>(packets.scan_packets[0], 100 * block + 2,
+                       static_cast<std::uint16_t>(turned % 36000));
+  }
+  EXPECT_NEAR(stepOf(packets), mrpt::DEG2RAD(0.4), 1e-12);
+
+  EXPECT_EQ(stepOf(cloud({{1, 2, 3}})), 0);
+  EXPECT_EQ(stepOf(scan2D()), 0);
+}
+
+TEST(ObservationPoints, AnObjectReadIntoAgainHoldsNothingOfTheFormerScan)
+{
+  SensorPoints scan;
+  mrpt::obs::CObservationRotatingScan rotating;
+  rotating.rangeResolution = 0.5;
+  rotating.azimuthSpan = -M_PI;
+  rotating.rangeImage.setConstant(1, 5, 4);
+  ASSERT_TRUE(sensorPoints(rotating, {}, scan));
+  EXPECT_EQ(scan.points.size(), 5u);
+  ASSERT_TRUE(sensorPoints(cloud({{1, 2, 3}, {4, 5, 6}}), robotPose(), scan));
+  EXPECT_EQ(scan.points, (std::vector<TPoint3Df>{{1, 2, 3}, {4, 5, 6}}));
+  EXPECT_EQ(scan.azimuthStep, 0);
+  EXPECT_EQ(scan.sensorPose, robotPose() + sensorPose());
+
+  EXPECT_FALSE(sensorPoints(mrpt::obs::CObservationRange(), {}, scan));
+  EXPECT_EQ(scan.points.size(), 2u) << "no scan leaves it as it was";
+  ASSERT_TRUE(sensorPoints(mrpt::obs::CObservationPointCloud(), {}, scan));
+  EXPECT_TRUE(scan.points.empty());
+}
+
+TEST(ObservationPoints, ASeriesOfPointCloudsNeedsNoMoreMemory)
+{
+  const auto large = cloud({{1, 2, 3}, {4, 5, 6}, {0, 0, 0}}), small = cloud({{1, 2, 3}});
+  SensorPoints scan;
+  PointWarnings warnings;
+  const auto readBoth = [&]
+  {
+    sensorPoints(large, robotPose(), scan, &warnings);
+    sensorPoints(small, robotPose(), scan, &warnings);
+  };
+  EXPECT_GT(allocationsOf(readBoth), 0u) << "allocations are not counted";
+  EXPECT_EQ(allocationsOf(readBoth), 0u);
 }
 
 TEST(ObservationPoints, UnknownModelIsNamedOnce)

@@ -22,18 +22,21 @@ using test::thrownMessage;
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 using Cells = std::vector<std::int8_t>;
 
-TEST(LogOddsUpdate, DefaultUnitsAreTheIssues)
+// The paper's profile has probabilities 0 and 1; these stand in for them by measurement.
+TEST(LogOddsUpdate, DefaultUnitsFreeAnyCellInTenScansButNotInNine)
 {
   const UpdateParams params;
   EXPECT_EQ(params.pHit, 0.9);
-  EXPECT_EQ(params.pMiss, 0.35);
+  EXPECT_EQ(params.pMiss, 0.4);
   EXPECT_EQ(params.pMin, 0.03);
   EXPECT_EQ(params.pMax, 0.97);
   const LogOddsUpdate update;
   EXPECT_EQ(update.hit(), 35);
-  EXPECT_EQ(update.miss(), 10);
+  EXPECT_EQ(update.miss(), 6);
   EXPECT_EQ(update.lowest(), -55);
   EXPECT_EQ(update.highest(), 55);
+  EXPECT_GT(update.lowest() + 10 * update.miss(), 0);
+  EXPECT_LE(update.lowest() + 9 * update.miss(), 0);
 }
 
 LogOddsUpdate updateOf(double pHit, double pMiss, double pMin = 0.03, double pMax = 0.97)
@@ -96,7 +99,7 @@ Cells updated(const LogOddsUpdate& update, Cells cells)
 
 TEST(LogOddsUpdate, RaisesFreeCellsAndLowersOccupiedOnes)
 {
-  EXPECT_EQ(updated(LogOddsUpdate(), {0, 20, 0}), (Cells{10, 30, -35}));
+  EXPECT_EQ(updated(LogOddsUpdate(), {0, 20, 0}), (Cells{6, 26, -35}));
   EXPECT_EQ(updated(updateOf(0.6, 0.2), {-50, 5, 7}), (Cells{-28, 27, 1}));
 }
 
@@ -148,7 +151,7 @@ TEST(LogOddsUpdate, WideProfilesAreAppliedWhole)
     for (int kx = -shift; kx < 160; ++kx)
       ASSERT_EQ(cells[static_cast<std::size_t>(kx + shift)], kx < 0 || kx > 151 ? 0
                                                              : kx == 151        ? -35
-                                                                                : 10)
+                                                                                : 6)
           << "cell " << kx << ", shift " << shift;
   }
 }

@@ -26,9 +26,10 @@ const mrpt::obs::VelodyneCalibration& shippedCalibration(const std::string& mode
  * turning, which they do not record (0.2° in MRPT's sample).
  *
  * \param[out] points one per return; emptied first
+ * \param[out] azimuthStep between neighbouring columns [rad], 0 if there is only one; may be null
  * \return false if the elevation of the rows is not known
  * \exception std::exception from MRPT if an external file is missing */
 bool rotatingScanPoints(const mrpt::obs::CObservationRotatingScan& scan,
-                        std::vector<mrpt::math::TPoint3Df>& points);
+                        std::vector<mrpt::math::TPoint3Df>& points, double* azimuthStep = nullptr);
 
 }  // namespace mrpt_mapconv::maps

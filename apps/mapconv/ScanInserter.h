@@ -1,0 +1,65 @@
+#pragma once
+
+#include <mrpt_mapconv/maps/CScanShapeGridMap2D.h>
+#include <mrpt_mapconv/maps/ScanLog.h>
+
+#include <map>
+#include <string>
+
+#include "ScanSettings.h"
+
+namespace mapconv
+{
+/** Why a scan has left the map as it was. */
+enum class Skip
+{
+  NotWanted2D,   //!< insert2D = false
+  Refused2D,     //!< MRPT's own grid does not take it
+  NoPoints,      //!< none that is usable
+  Unusable,      //!< see scan::UnusableScan
+  NothingValid,  //!< no point of an object in range and before a wall
+};
+
+/** What became of a series of scans. */
+struct InsertionFigures
+{
+  struct Skipped
+  {
+    std::size_t count = 0;
+    std::string why;  //!< of the first one
+  };
+
+  std::size_t scans3D = 0, scans2D = 0;  //!< that were inserted
+  std::size_t points = 0;                //!< of scans3D
+  double seconds3D = 0;                  //!< that inserting scans3D took [s]
+  double wallShares = 0;                 //!< sum over scans3D
+  std::map<Skip, Skipped> skipped;
+
+  std::size_t skips() const;
+  double scansPerSecond() const;
+  double pointsPerSecond() const;
+  /** Mean over scans3D of the share of azimuths with a wall. */
+  double meanWallShare() const;
+};
+
+/** Inserts scans into a map one after another, and keeps account of it. */
+class ScanInserter
+{
+ public:
+  explicit ScanInserter(const ScanSettings& settings);
+
+  /** \exception std::exception for bad options, damaged scans and a grid that would be too large */
+  void insert(const mrpt_mapconv::maps::PosedObservation& scan);
+
+  const mrpt_mapconv::CScanShapeGridMap2D& map() const { return m_map; }
+  const InsertionFigures& figures() const { return m_figures; }
+
+ private:
+  void count(const mrpt::obs::CObservation& obs, double seconds);
+  void countSkip(const mrpt_mapconv::maps::PosedObservation& scan);
+
+  mrpt_mapconv::CScanShapeGridMap2D m_map;
+  InsertionFigures m_figures;
+};
+
+}  // namespace mapconv

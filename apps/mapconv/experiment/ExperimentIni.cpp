@@ -1,0 +1,16 @@
+#include "ExperimentIni.h"
+
+#include <filesystem>
+
+namespace mapconv
+{
+std::string readFile(mrpt_mapconv::maps::StrictSection& section, const ExperimentJob& job)
+{
+  std::string file;
+  section.read("file", file);
+  if (file.empty())
+    throw std::runtime_error("section '" + section.name() + "': file = FILE is missing");
+  return (std::filesystem::path(job.iniFile).parent_path() / file).string();
+}
+
+}  // namespace mapconv

@@ -1,0 +1,101 @@
+#include <mrpt/core/format.h>
+#include <mrpt_mapconv/grid/LayerPicture.h>
+#include <mrpt_mapconv/grid/OccupancyCell.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "Experiments.h"
+#include "ScanShapeResult.h"
+
+namespace mapconv
+{
+using namespace mrpt_mapconv;
+
+namespace
+{
+/** \exception std::runtime_error unless there are scans for all methods */
+void checkSensors(const sim::Scenario& scenario, const std::string& file)
+{
+  bool any2D = false, any3D = false;
+  for (const auto& sensor : scenario.sensors) (sensor->is3D() ? any3D : any2D) = true;
+  if (!any2D || !any3D)
+    throw std::runtime_error(file + ": this experiment needs a 3D sensor and a 2D scanner");
+}
+
+/** What is true around the world's bounds, so that all pictures show the same. */
+grid::GridFrame pictureFrame(const ScanShapeTruth& truth)
+{
+  constexpr double kMargin = 2;  // [m], where ghosts beyond the outer walls are seen
+  grid::GridFrame frame = truth.obstacles.frame();
+  const auto margin = static_cast<std::int32_t>(std::lround(kMargin / frame.resolution));
+  frame.x0 -= margin;
+  frame.y0 -= margin;
+  frame.width += 2 * margin;
+  frame.height += 2 * margin;
+  return frame;
+}
+
+void addPictures(const ScanShapeResult& result, Report& report)
+{
+  const ScanShapeRun& run = result.runs.front();
+  const grid::GridFrame frame = pictureFrame(result.truth);
+  const auto add =
+      [&](const std::string& name, const std::string& title, const grid::Layer<float>& map)
+  {
+    grid::writeLayerPng(report.addPicture(name, title), map.onFrame(frame, grid::kUnknown),
+                        {title, "", grid::PictureKind::Occupancy});
+  };
+  report.addHeading("Maps of seed " + std::to_string(run.seed));
+  add("truth", "The truth: what the robot can hit", result.truth.obstacles);
+  const PerScanMethod<std::string> names = {"scanner_2d", "closest_point", "counts",
+                                            "whole_shape_uncut", "whole_shape_cut"};
+  for (std::size_t i = 0; i < kScanMethods; ++i)
+    add(names[i], "Map: " + methodName(static_cast<ScanMethod>(i)), run.maps[i]);
+}
+
+std::string runText(const ScanShapeRun& run)
+{
+  return mrpt::format(
+      "Seed %u: %zu 3D scans with %.1f million points, %zu 2D scans of which MRPT refused %zu. "
+      "%.1f %% of the azimuths had a wall.",
+      run.seed, run.scans3D, static_cast<double>(run.points) / 1e6, run.scans2D, run.refused2D,
+      100 * run.shareWithWall);
+}
+
+ScanShapeResult computed(const ExperimentJob& job)
+{
+  ScanShapeResult result;
+  result.settings = readScanShapeSettings(job);
+  job.progress.stage("reading " + result.settings.world);
+  const auto scenario = sim::Scenario::load(result.settings.world);
+  checkSensors(scenario, result.settings.world);
+  job.progress.stage("computing the truth");
+  result.truth = truthOf(scenario, result.settings);
+  for (std::size_t i = 0; i < result.settings.seeds.size(); ++i)
+  {
+    job.progress.stage("driving, " + std::to_string(i + 1) + " of " +
+                       std::to_string(result.settings.seeds.size()));
+    const bool withSweep = i < static_cast<std::size_t>(result.settings.sweep.seeds);
+    result.runs.push_back(driveThrough(scenario, result.truth, result.settings,
+                                       result.settings.seeds[i], withSweep, job.progress));
+    if (i > 0) result.runs.back().maps = {};
+  }
+  return result;
+}
+}  // namespace
+
+void runScanShapeExperiment(const ExperimentJob& job, Report& report)
+{
+  const ScanShapeResult result = computed(job);
+  job.progress.stage("writing tables");
+  for (const ScanShapeRun& run : result.runs) report.addText(runText(run));
+  addScores(result, report);
+  addCut(result, report);
+  addPeople(result, report);
+  addSweep(result, report);
+  job.progress.stage("drawing maps");
+  addPictures(result, report);
+}
+
+}  // namespace mapconv

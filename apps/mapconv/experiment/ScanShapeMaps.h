@@ -1,0 +1,89 @@
+#pragma once
+
+#include <mrpt/maps/COccupancyGridMap2D.h>
+#include <mrpt/poses/CPose3D.h>
+#include <mrpt_mapconv/grid/Layer.h>
+#include <mrpt_mapconv/maps/ObservationPoints.h>
+#include <mrpt_mapconv/scan/LogOddsUpdate.h>
+#include <mrpt_mapconv/scan/ScanProfile.h>
+
+#include <cstdint>
+#include <vector>
+
+namespace mapconv
+{
+/** A 3D scan as the maps get it. */
+struct PosedScan
+{
+  mrpt_mapconv::maps::SensorPoints points;
+  mrpt_mapconv::scan::Viewpoint view;
+};
+
+/** Calls visit(index of the cell in `frame`) for the cells of one of a profile's sets. The frame
+ * must hold them. */
+template <class Visit>
+void forEachCell(const mrpt_mapconv::scan::CellBits& cells,
+                 const mrpt_mapconv::grid::GridFrame& bounds,
+                 const mrpt_mapconv::grid::GridFrame& frame, const Visit& visit)
+{
+  for (std::int32_t ky = bounds.y0; ky < bounds.yEnd(); ++ky)
+    for (std::int32_t kx = bounds.x0; kx < bounds.xEnd(); ++kx)
+      if (cells.containsKey(kx, ky)) visit(frame.indexOfKey(kx, ky));
+}
+
+/** Grids that are updated with the same profile of each scan, by different increments. */
+class ProfileGrids
+{
+ public:
+  ProfileGrids(const mrpt_mapconv::grid::GridFrame& frame,
+               const mrpt_mapconv::scan::ProfileParams& profile,
+               const std::vector<mrpt_mapconv::scan::UpdateParams>& updates);
+
+  void insert(const PosedScan& scan);
+  /** Of the last scan. */
+  const mrpt_mapconv::scan::ScanProfile& profile() const { return m_profile; }
+  /** 0 where p < 0.5, 1 where p > 0.5, else −1. \param i the number of the increments */
+  mrpt_mapconv::grid::Layer<float> labels(std::size_t i = 0) const;
+
+ private:
+  mrpt_mapconv::scan::ProfileParams m_params;
+  mrpt_mapconv::scan::ScanProfile m_profile;
+  std::vector<mrpt_mapconv::scan::LogOddsUpdate> m_updates;
+  std::vector<mrpt_mapconv::grid::Layer<std::int8_t>> m_grids;
+};
+
+/** How often each cell was seen occupied and free, and a map that forgets nothing of that. */
+class CountGrid
+{
+ public:
+  explicit CountGrid(const mrpt_mapconv::grid::GridFrame& frame)
+      : m_occupied(frame, 0), m_free(frame, 0)
+  {
+  }
+
+  void add(const mrpt_mapconv::scan::ScanProfile& profile);
+  /** 1 where it ever was occupied, else 0 where it ever was free, else −1. */
+  mrpt_mapconv::grid::Layer<float> labels() const;
+
+ private:
+  mrpt_mapconv::grid::Layer<std::uint32_t> m_occupied, m_free;
+};
+
+/** MRPT's own grid of 2D scans, which is not to grow beyond its frame. */
+class ScannerGrid
+{
+ public:
+  ScannerGrid(const mrpt_mapconv::grid::GridFrame& frame,
+              const mrpt::maps::COccupancyGridMap2D::TInsertionOptions& options);
+
+  /** \return false if MRPT refuses it */
+  bool insert(const mrpt::obs::CObservation& scan, const mrpt::poses::CPose3D& robotPose);
+  /** As those of ProfileGrids. \exception std::runtime_error if the grid has grown */
+  mrpt_mapconv::grid::Layer<float> labels() const;
+
+ private:
+  mrpt_mapconv::grid::GridFrame m_frame;
+  mrpt::maps::COccupancyGridMap2D m_grid;
+};
+
+}  // namespace mapconv

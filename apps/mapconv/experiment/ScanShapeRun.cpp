@@ -1,0 +1,232 @@
+#include "ScanShapeRun.h"
+
+#include <mrpt_mapconv/sim/Simulator.h>
+#include <mrpt_mapconv/sim/Truth.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+#include "ScanShapeMaps.h"
+#include "Table.h"
+
+namespace mapconv
+{
+using namespace mrpt_mapconv;
+
+namespace
+{
+scan::ProfileParams uncut(scan::ProfileParams params)
+{
+  params.reflectionFilter = false;
+  return params;
+}
+
+scan::ProfileParams closestPoint(const scan::ProfileParams& params)
+{
+  scan::ProfileParams closest = uncut(params);
+  closest.model = scan::Model::ClosestPoint;
+  return closest;
+}
+
+/** Room for all that is updated by scans that are taken within the world's bounds. */
+grid::GridFrame frameAround(const sim::World& world, const ScanShapeSettings& settings)
+{
+  grid::GridFrame frame = sim::frameOf(world, settings.resolution);
+  const double range =
+      std::max<double>(settings.profile.maxRange, settings.scanner.maxDistanceInsertion);
+  const auto reach = static_cast<std::int32_t>(std::ceil(range / settings.resolution)) + 1;
+  frame.x0 -= reach;
+  frame.y0 -= reach;
+  frame.width += 2 * reach;
+  frame.height += 2 * reach;
+  return frame;
+}
+
+/** The settings' increments, then those of the sweep. */
+std::vector<scan::UpdateParams> updatesOf(const ScanShapeSettings& settings, bool withSweep)
+{
+  std::vector<scan::UpdateParams> updates = {settings.update};
+  if (!withSweep) return updates;
+  for (const double pMiss : settings.sweep.pMiss)
+    for (const double pHit : settings.sweep.pHit)
+    {
+      updates.push_back(settings.update);
+      updates.back().pHit = pHit;
+      updates.back().pMiss = pMiss;
+    }
+  return updates;
+}
+
+/** A map with another value of one of the profile's parameters. */
+struct TriedProfile
+{
+  std::string parameter, value;
+  ProfileGrids grids;
+};
+
+std::vector<TriedProfile> profilesOf(const grid::GridFrame& frame,
+                                     const ScanShapeSettings& settings)
+{
+  std::vector<TriedProfile> tried;
+  const auto add = [&](const std::string& parameter, const std::string& value, const auto& params) {
+    tried.push_back({parameter, value, ProfileGrids(frame, params, {settings.update})});
+  };
+  for (const double tolerance : settings.sweep.structureTolerance)
+  {
+    scan::ProfileParams params = settings.profile;
+    params.structureTolerance = tolerance;
+    add("structureTolerance [m]", fixed(tolerance, 2), params);
+  }
+  for (const std::int32_t sectors : settings.sweep.sectors)
+  {
+    scan::ProfileParams params = settings.profile;
+    params.sectors = sectors;
+    add("sectors", std::to_string(sectors), params);
+  }
+  return tried;
+}
+
+/** All maps of a drive. */
+class Drive
+{
+ public:
+  Drive(const sim::Scenario& scenario, const ScanShapeSettings& settings, std::uint32_t seed,
+        bool withSweep)
+      : m_settings(settings),
+        m_frame(frameAround(scenario.world, settings)),
+        m_updates(updatesOf(settings, withSweep)),
+        m_scanner(m_frame, settings.scanner),
+        m_closest(m_frame, closestPoint(settings.profile), {settings.update}),
+        m_counts(m_frame),
+        m_uncut(m_frame, uncut(settings.profile), {settings.update}),
+        m_cut(m_frame, settings.profile, m_updates),
+        m_history(m_frame, scenario.world, settings.profile)
+  {
+    m_run.seed = seed;
+    if (withSweep) m_tried = profilesOf(m_frame, settings);
+  }
+
+  void insert(const sim::Moment& moment)
+  {
+    for (const sim::Scan& scan : moment.scans)
+      if (scan.is3D)
+        insert3D(scan, moment.estimatedPose);
+      else
+        insert2D(scan, moment.estimatedPose);
+  }
+
+  /** Whether the settings ask for no more scans. */
+  bool isOver() const
+  {
+    return m_settings.maxScans > 0 &&
+           m_run.scans3D >= static_cast<std::size_t>(m_settings.maxScans);
+  }
+
+  ScanShapeRun judged(const ScanShapeTruth& truth)
+  {
+    takeMaps();
+    for (std::size_t i = 0; i < kScanMethods; ++i) m_run.scores[i] = scoreOf(m_run.maps[i], truth);
+    judgeCut(truth);
+    judgeTrials(truth);
+    m_run.shareWithWall /= static_cast<double>(m_run.scans3D);
+    return std::move(m_run);
+  }
+
+ private:
+  grid::Layer<float>& map(ScanMethod method)
+  {
+    return m_run.maps[static_cast<std::size_t>(method)];
+  }
+
+  void insert2D(const sim::Scan& scan, const mrpt::poses::CPose3D& robotPose)
+  {
+    ++m_run.scans2D;
+    if (!m_scanner.insert(*scan.observation, robotPose)) ++m_run.refused2D;
+  }
+
+  void insert3D(const sim::Scan& seen, const mrpt::poses::CPose3D& robotPose)
+  {
+    PosedScan& scan = m_scan;
+    if (!maps::sensorPoints(*seen.observation, robotPose, scan.points))
+      throw std::logic_error("a simulated scan has no points");
+    scan.view = {scan.points.sensorPose, robotPose.z(), scan.points.azimuthStep};
+    m_closest.insert(scan);
+    m_uncut.insert(scan);
+    m_counts.add(m_uncut.profile());
+    m_cut.insert(scan);
+    for (TriedProfile& tried : m_tried) tried.grids.insert(scan);
+    m_history.add(seen, scan, m_cut.profile());
+    ++m_run.scans3D;
+    m_run.points += scan.points.points.size();
+    m_run.shareWithWall += m_cut.profile().statistics().shareWithWall();
+  }
+
+  void takeMaps()
+  {
+    map(ScanMethod::Scanner2D) = m_scanner.labels();
+    map(ScanMethod::ClosestPoint) = m_closest.labels();
+    map(ScanMethod::Counts) = m_counts.labels();
+    map(ScanMethod::WholeShape) = m_uncut.labels();
+    map(ScanMethod::WholeShapeCut) = m_cut.labels();
+  }
+
+  void judgeCut(const ScanShapeTruth& truth)
+  {
+    const auto& uncutMap = map(ScanMethod::WholeShape);
+    const auto& cutMap = map(ScanMethod::WholeShapeCut);
+    for (std::size_t i = 0; i < truth.regions.size(); ++i)
+    {
+      m_run.uncutRegions.push_back(scoreRegion(uncutMap, truth, i));
+      m_run.cutRegions.push_back(scoreRegion(cutMap, truth, i));
+    }
+    m_run.uncutFalse = falseObstacles(uncutMap, truth, m_history.cells());
+    m_run.cutFalse = falseObstacles(cutMap, truth, m_history.cells());
+    m_run.people = peopleTraces(cutMap, truth, m_history.cells());
+  }
+
+  void judgeTrials(const ScanShapeTruth& truth)
+  {
+    for (std::size_t i = 1; i < m_updates.size(); ++i)
+    {
+      const auto labels = m_cut.labels(i);
+      m_run.updateTrials.push_back(
+          {m_updates[i], scoreOf(labels, truth), peopleTraces(labels, truth, m_history.cells())});
+    }
+    for (const TriedProfile& tried : m_tried)
+      m_run.profileTrials.push_back(
+          {tried.parameter, tried.value, scoreOf(tried.grids.labels(), truth)});
+  }
+
+  const ScanShapeSettings& m_settings;
+  grid::GridFrame m_frame;
+  std::vector<scan::UpdateParams> m_updates;
+  ScannerGrid m_scanner;
+  ProfileGrids m_closest;
+  CountGrid m_counts;
+  ProfileGrids m_uncut, m_cut;
+  std::vector<TriedProfile> m_tried;
+  DriveHistory m_history;
+  PosedScan m_scan;  //!< kept, for its memory
+  ScanShapeRun m_run;
+};
+}  // namespace
+
+ScanShapeRun driveThrough(const sim::Scenario& scenario, const ScanShapeTruth& truth,
+                          const ScanShapeSettings& settings, std::uint32_t seed, bool withSweep,
+                          Progress& progress)
+{
+  Drive drive(scenario, settings, seed, withSweep);
+  sim::Simulator simulator(scenario, seed);
+  while (const auto moment = simulator.next())
+  {
+    progress.done(moment->seconds / scenario.trajectory.duration());
+    drive.insert(*moment);
+    if (drive.isOver()) break;
+  }
+  return drive.judged(truth);
+}
+
+}  // namespace mapconv

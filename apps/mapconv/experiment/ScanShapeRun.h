@@ -1,0 +1,50 @@
+#pragma once
+
+#include <mrpt_mapconv/sim/Scenario.h>
+
+#include <vector>
+
+#include "Progress.h"
+#include "ScanShapeScores.h"
+#include "ScanShapeSettings.h"
+
+namespace mapconv
+{
+/** Increments that the full method was tried with. */
+struct UpdateTrial
+{
+  mrpt_mapconv::scan::UpdateParams params;
+  MapScore score;
+  PeopleTraces people;
+};
+
+/** Another value of a parameter that the full method was tried with. */
+struct ProfileTrial
+{
+  std::string parameter, value;
+  MapScore score;
+};
+
+/** A drive through the office that all methods mapped, and how good their maps are. */
+struct ScanShapeRun
+{
+  std::uint32_t seed = 0;
+  std::size_t scans3D = 0, scans2D = 0, points = 0;
+  std::size_t refused2D = 0;  //!< by MRPT's grid
+  double shareWithWall = 0;   //!< of the azimuths, the mean of the scans
+  PerScanMethod<mrpt_mapconv::grid::Layer<float>> maps;
+  PerScanMethod<MapScore> scores;
+  std::vector<RegionScore> uncutRegions, cutRegions;  //!< of the settings' regions
+  FalseObstacles uncutFalse, cutFalse;
+  PeopleTraces people;                    //!< of the full method
+  std::vector<UpdateTrial> updateTrials;  //!< empty if it takes no part in the sweep
+  std::vector<ProfileTrial> profileTrials;
+};
+
+/** Simulates one drive; each scan is put into all maps, at the same estimated pose.
+ * \param withSweep also try what the settings' sweep names */
+ScanShapeRun driveThrough(const mrpt_mapconv::sim::Scenario& scenario, const ScanShapeTruth& truth,
+                          const ScanShapeSettings& settings, std::uint32_t seed, bool withSweep,
+                          Progress& progress);
+
+}  // namespace mapconv

@@ -1,0 +1,114 @@
+#include "ScanShapeScores.h"
+
+#include <mrpt_mapconv/grid/OccupancyCell.h>
+#include <mrpt_mapconv/sim/Truth.h>
+
+#include <cmath>
+
+namespace mapconv
+{
+using namespace mrpt_mapconv;
+
+namespace
+{
+/** The cells whose centre lies within a region. */
+sim::CellMask cellsIn(const MapRegion& region, const grid::GridFrame& frame)
+{
+  sim::CellMask mask(frame, 0);
+  for (std::int32_t iy = 0; iy < frame.height; ++iy)
+    for (std::int32_t ix = 0; ix < frame.width; ++ix)
+    {
+      const double x = (frame.x0 + ix + 0.5) * frame.resolution;
+      const double y = (frame.y0 + iy + 0.5) * frame.resolution;
+      mask.at(ix, iy) = x >= region.xMin && x < region.xMax && y >= region.yMin && y < region.yMax;
+    }
+  return mask;
+}
+
+/** The truth laid on a map's frame. */
+grid::Layer<float> truthOn(const grid::GridFrame& frame, const ScanShapeTruth& truth)
+{
+  return truth.obstacles.onFrame(frame, grid::kUnknown);
+}
+}  // namespace
+
+ScanShapeTruth truthOf(const sim::Scenario& scenario, const ScanShapeSettings& settings)
+{
+  const auto start = scenario.trajectory.poseAt(0);
+  const grid::GridFrame frame = sim::frameOf(scenario.world, settings.resolution);
+  ScanShapeTruth truth;
+  truth.obstacles =
+      sim::obstacleLayer(scenario.world, frame, start.z() + settings.profile.objectMinZ,
+                         start.z() + settings.profile.objectMaxZ);
+  truth.should = sim::cellsToLabel(truth.obstacles, start.x(), start.y());
+  for (const MapRegion& region : settings.regions) truth.regions.push_back(cellsIn(region, frame));
+  return truth;
+}
+
+MapScore scoreOf(const grid::Layer<float>& map, const ScanShapeTruth& truth)
+{
+  const sim::CellMask everywhere(truth.obstacles.frame(), 1);
+  return {sim::scoreLabels(map, truth.obstacles, truth.should),
+          sim::scoreOccupancy(map, truth.obstacles, truth.should).occupied,
+          sim::occupiedLabelledFree(map, truth.obstacles, everywhere)};
+}
+
+RegionScore scoreRegion(const grid::Layer<float>& map, const ScanShapeTruth& truth,
+                        std::size_t region)
+{
+  const sim::CellMask& cells = truth.regions.at(region);
+  const auto free = sim::scoreOccupancy(map, truth.obstacles, cells).free;
+  const double cellArea = map.frame().resolution * map.frame().resolution;
+  return {static_cast<double>(free.found + free.missed) * cellArea, free.recall(),
+          sim::occupiedLabelledFree(map, truth.obstacles, cells)};
+}
+
+FalseObstacles falseObstacles(const grid::Layer<float>& map, const ScanShapeTruth& truth,
+                              const grid::Layer<CellHistory>& history)
+{
+  const auto obstacles = truthOn(map.frame(), truth);
+  FalseObstacles found;
+  for (std::size_t i = 0; i < map.cells().size(); ++i)
+  {
+    if (!grid::isOccupied(map.cells()[i]) || grid::isOccupied(obstacles.cells()[i])) continue;
+    ++found.cells;
+    found.onlyGhosts += history.cells()[i].ghost && !history.cells()[i].real;
+  }
+  return found;
+}
+
+PeopleTraces& PeopleTraces::operator+=(const PeopleTraces& o)
+{
+  seen += o.seen;
+  freeInTruth += o.freeInTruth;
+  occupied += o.occupied;
+  hitByPerson += o.hitByPerson;
+  notFaded += o.notFaded;
+  hitByOthers += o.hitByOthers;
+  return *this;
+}
+
+PeopleTraces peopleTraces(const grid::Layer<float>& map, const ScanShapeTruth& truth,
+                          const grid::Layer<CellHistory>& history)
+{
+  constexpr int kScansToFade = 10;  // as the experiment promises
+  const auto obstacles = truthOn(map.frame(), truth);
+  PeopleTraces traces;
+  for (std::size_t i = 0; i < map.cells().size(); ++i)
+  {
+    const CellHistory& cell = history.cells()[i];
+    if (!cell.person) continue;
+    ++traces.seen;
+    if (!grid::isFree(obstacles.cells()[i])) continue;
+    ++traces.freeInTruth;
+    if (!grid::isOccupied(map.cells()[i])) continue;
+    ++traces.occupied;
+    const bool faded = cell.freeSincePerson >= kScansToFade;
+    traces.hitByPerson += cell.hitByPerson;
+    traces.notFaded += cell.hitByPerson && faded;
+    traces.hitByOthers += !cell.hitByPerson && faded;
+  }
+  return traces;
+}
+
+}  // namespace mapconv

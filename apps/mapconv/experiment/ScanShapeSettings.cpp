@@ -1,0 +1,183 @@
+#include "ScanShapeSettings.h"
+
+#include <mrpt_mapconv/maps/GridInsertionOptions.h>
+#include <mrpt_mapconv/maps/ScanInsertionOptions.h>
+#include <mrpt_mapconv/maps/StrictSection.h>
+
+#include <limits>
+#include <set>
+#include <stdexcept>
+
+#include "ExperimentIni.h"
+
+namespace mapconv
+{
+using namespace mrpt_mapconv;
+using maps::StrictSection;
+
+namespace
+{
+const std::string kRegion = "region.";
+
+/** Whole numbers from 1 on, each once. */
+template <class Number>
+std::vector<Number> readCounts(StrictSection& section, const std::string& key)
+{
+  std::vector<double> numbers;
+  section.read(key, numbers);
+  const double most = static_cast<double>(std::numeric_limits<Number>::max());
+  for (const double number : numbers)
+    if (number < 1 || number > most || number != std::floor(number))
+      section.fail(key, "a list of whole numbers >= 1");
+  if (std::set<double>(numbers.begin(), numbers.end()).size() != numbers.size())
+    section.fail(key, "a list of different numbers");
+  return {numbers.begin(), numbers.end()};
+}
+
+/** Numbers of which there must be so many. */
+std::vector<double> readSome(StrictSection& section, const std::string& key, std::size_t count,
+                             const std::string& meaning)
+{
+  std::vector<double> numbers;
+  section.read(key, numbers);
+  if (numbers.size() != count) section.fail(key, meaning);
+  return numbers;
+}
+
+void readRun(const ExperimentJob& job, ScanShapeSettings& settings)
+{
+  StrictSection section(job.ini, "experiment");
+  section.ignore("kind");
+  settings.world = readFile(section, job);
+  settings.seeds = readCounts<std::uint32_t>(section, "seeds");
+  if (settings.seeds.empty())
+    throw std::runtime_error("section 'experiment': seeds = NUMBER… is missing");
+  section.read("resolution", settings.resolution);
+  if (!(settings.resolution > 0)) section.fail("resolution", "> 0 m");
+  section.read("maxScans", settings.maxScans);
+  if (settings.maxScans < 0) section.fail("maxScans", ">= 0 (0: all)");
+  section.refuseUnknown("this experiment");
+}
+
+/** How the full method inserts scans; the others differ from it as their names say. */
+void readInsertion(const ExperimentJob& job, ScanShapeSettings& settings)
+{
+  StrictSection section(job.ini, "wholeShapeCut");
+  for (const char* key : {"model", "reflectionFilter", "insert2D"})
+    if (section.has(key)) section.fail(key, "left out: each method of the experiment sets it");
+  maps::TScanInsertionOptions options;
+  options.readFrom(section);
+  section.refuseUnknown("the insertion of 3D scans");
+  checkIn(section.name(), [&] { options.check(); });
+  settings.profile = options.profile;
+  settings.update = options.update;
+}
+
+void readScanner(const ExperimentJob& job, ScanShapeSettings& settings)
+{
+  StrictSection section(job.ini, "scanner2D");
+  maps::readGridInsertionOptions(section, settings.scanner);
+  section.refuseUnknown("the insertion of 2D scans");
+}
+
+void readPaper(const ExperimentJob& job, ScanShapeSettings& settings)
+{
+  StrictSection section(job.ini, "paper");
+  const auto read = [&](const std::string& key, ScanMethod method)
+  {
+    const auto row = readSome(section, key, 3, "three numbers, precision recall F-score");
+    settings.paper[static_cast<std::size_t>(method)] = {row[0], row[1], row[2]};
+  };
+  read("scanner2D", ScanMethod::Scanner2D);
+  read("closestPoint", ScanMethod::ClosestPoint);
+  read("wholeShapeCut", ScanMethod::WholeShapeCut);
+  section.refuseUnknown("the paper's table");
+}
+
+void checkSweep(const std::string& section, const ScanShapeSettings& settings)
+{
+  scan::UpdateParams update = settings.update;
+  for (const double pHit : settings.sweep.pHit)
+    for (const double pMiss : settings.sweep.pMiss)
+    {
+      update.pHit = pHit;
+      update.pMiss = pMiss;
+      checkIn(section, [&] { update.check(); });
+    }
+  scan::ProfileParams profile = settings.profile;
+  for (const double tolerance : settings.sweep.structureTolerance)
+  {
+    profile.structureTolerance = tolerance;
+    checkIn(section, [&] { profile.check(); });
+  }
+}
+
+void readSweep(const ExperimentJob& job, ScanShapeSettings& settings)
+{
+  StrictSection section(job.ini, "sweep");
+  ScanShapeSweep& sweep = settings.sweep;
+  section.read("seeds", sweep.seeds);
+  if (sweep.seeds < 0) section.fail("seeds", ">= 0, the number of runs that take part");
+  section.read("pHit", sweep.pHit);
+  section.read("pMiss", sweep.pMiss);
+  section.read("structureTolerance", sweep.structureTolerance);
+  sweep.sectors = readCounts<std::int32_t>(section, "sectors");
+  section.refuseUnknown("the sweep");
+  checkSweep(section.name(), settings);
+}
+
+MapRegion readRegion(const ExperimentJob& job, const std::string& name)
+{
+  static const std::vector<std::string> kinds = {"lintelDoor", "openDoor", "ceilingPane"};
+  StrictSection section(job.ini, name);
+  MapRegion region;
+  region.name = name.substr(kRegion.size());
+  int kind = -1;
+  section.readChoice("kind", kinds, kind);
+  if (kind < 0) section.fail("kind", "lintelDoor or openDoor or ceilingPane");
+  region.kind = kinds[static_cast<std::size_t>(kind)];
+  const std::string meaning = "four numbers, xMin yMin xMax yMax [m], each max above its min";
+  const auto area = readSome(section, "area", 4, meaning);
+  region.xMin = area[0];
+  region.yMin = area[1];
+  region.xMax = area[2];
+  region.yMax = area[3];
+  if (!(region.xMin < region.xMax && region.yMin < region.yMax)) section.fail("area", meaning);
+  section.refuseUnknown("a region");
+  return region;
+}
+
+void readRegions(const ExperimentJob& job, ScanShapeSettings& settings)
+{
+  const std::set<std::string> others = {"experiment", "wholeShapeCut", "scanner2D", "paper",
+                                        "sweep"};
+  std::vector<std::string> sections;
+  job.ini.getAllSections(sections);
+  for (const std::string& name : sections)
+    if (name.rfind(kRegion, 0) == 0)
+      settings.regions.push_back(readRegion(job, name));
+    else if (others.count(name) == 0)
+      throw std::runtime_error("section '" + name +
+                               "' means nothing in this experiment: correct its name or take it "
+                               "out");
+}
+}  // namespace
+
+ScanShapeSettings readScanShapeSettings(const ExperimentJob& job)
+{
+  ScanShapeSettings settings;
+  readRun(job, settings);
+  readInsertion(job, settings);
+  readScanner(job, settings);
+  readPaper(job, settings);
+  readSweep(job, settings);
+  readRegions(job, settings);
+  if (job.quick)
+  {
+    settings.seeds.resize(1);
+    settings.maxScans = 8;
+  }
+  return settings;
+}
+
+}  // namespace mapconv

@@ -1,0 +1,117 @@
+#pragma once
+
+#include <mrpt/maps/COccupancyGridMap2D.h>
+#include <mrpt/system/COutputLogger.h>
+#include <mrpt_mapconv/grid/Layer.h>
+#include <mrpt_mapconv/maps/ScanInsertionOptions.h>
+#include <mrpt_mapconv/scan/ScanProfile.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace mrpt::obs
+{
+class CObservation2DRangeScan;
+}
+
+namespace mrpt_mapconv
+{
+/** An occupancy grid that 3D scans are inserted into with the whole shape of the objects they show,
+ * and without what is seen through or in glass (Mora et al., IEEE Sensors J. 2024); see
+ * scan::ScanProfile. Its cells are those of any COccupancyGridMap2D, so MRPT's likelihoods, ICP,
+ * planners and viewers use it as such. Cells lie on integer keys (grid::GridFrame), and the grid
+ * grows as needed, by some more than that. Whoever changes its size or contents through the base
+ * class is followed: what is there is what the next scan is inserted into.
+ *
+ * Observations: see maps::sensorPoints(); 2D scans are inserted as COccupancyGridMap2D does, with
+ * its own insertionOptions. Others are ignored. A scan that says nothing reliable (see
+ * scan::UnusableScan; also a 2D one whose pose is not finite) is skipped with a warning; bad
+ * options and a grid that would become too large are exceptions of insertObservation(). All of
+ * these leave the map exactly as it was.
+ *
+ * In an ini file, with any prefix that MRPT gives:
+ * \code
+ * [map]
+ * scanShapeGrid_count = 1
+ * [map_scanShapeGrid_00_creationOpts]
+ * resolution = 0.05            // [m] size of a cell
+ * maxGridCells = 4e8           // a scan that would make the grid larger is refused
+ * [map_scanShapeGrid_00_insertOpts]
+ * structureMinZ = 2.3          // see maps::TScanInsertionOptions; and for 2D scans
+ * structureMaxZ = 2.6          // COccupancyGridMap2D::TInsertionOptions
+ * [map_scanShapeGrid_00_likelihoodOpts]
+ * likelihoodMethod = lmLikelihoodField_Thrun   // see COccupancyGridMap2D::TLikelihoodOptions
+ * \endcode
+ */
+class CScanShapeGridMap2D : public mrpt::maps::COccupancyGridMap2D
+{
+  DEFINE_SERIALIZABLE(CScanShapeGridMap2D, mrpt_mapconv)
+
+ public:
+  /** An empty map. \param resolution size of a cell, 0.0001 to 1000 m
+   * \exception std::invalid_argument for another resolution */
+  explicit CScanShapeGridMap2D(double resolution = 0.05);
+  ~CScanShapeGridMap2D() override;
+  /** Copies are made per particle: what is needed only during an insertion is not copied. */
+  CScanShapeGridMap2D(const CScanShapeGridMap2D& o);
+  CScanShapeGridMap2D& operator=(const CScanShapeGridMap2D& o);
+
+  /** How 3D scans are inserted. Takes effect with the next insertion. */
+  maps::TScanInsertionOptions scanInsertionOptions;
+  /** A scan that would make the grid larger than this is refused by an exception. MRPT itself
+   * counts up to 2^32 − 1. */
+  double maxGridCells = 4e8;
+
+  /** What was found in the last 3D scan that was inserted into this object, or skipped for having
+   * no valid point; nothing if there was none. */
+  scan::ProfileStatistics lastScan() const;
+  /** Where the grid lies. */
+  grid::GridFrame frame() const;
+  /** Probability of occupancy of each cell, NaN where it is unknown (exactly 0.5). */
+  grid::Layer<float> probability() const;
+  /** The same as the library's occupancy layers: 0 where p < 0.5, p where above, −1 unknown. */
+  grid::Layer<float> occupancy() const;
+
+  void getVisualizationInto(mrpt::opengl::CSetOfObjects& scene) const override;
+  void saveMetricMapRepresentationToFile(const std::string& prefix) const override;
+  std::string asString() const override;
+
+  /** Where warnings go and, at level DEBUG, what was found in each scan. */
+  mrpt::system::COutputLogger& log() { return m_log; }
+
+ protected:
+  void internal_clear() override;
+  bool internal_insertObservation(
+      const mrpt::obs::CObservation& obs,
+      const std::optional<const mrpt::poses::CPose3D>& robotPose = std::nullopt) override;
+
+ private:
+  struct Workspace;
+
+  Workspace& workspace();
+  bool insert3D(const mrpt::obs::CObservation& obs, const mrpt::poses::CPose3D& robotPose);
+  bool insert2D(const mrpt::obs::CObservation2DRangeScan& scan,
+                const mrpt::poses::CPose3D& robotPose);
+  void report(const mrpt::obs::CObservation& obs);
+  void startEmpty();
+  bool isAsStarted() const;
+  void makeRoomFor(const grid::GridFrame& needed);
+  void checkSize(const grid::GridFrame& frame) const;
+  grid::GridFrame withMargin(const grid::GridFrame& least) const;
+  void layOut(const grid::GridFrame& frame);
+
+  mrpt::system::COutputLogger m_log;
+  double m_cellSize;  //!< the resolution, which the base class rounds to a float [m]
+  std::unique_ptr<Workspace> m_work;  //!< made for the first 3D scan
+
+  MAP_DEFINITION_START(CScanShapeGridMap2D)
+  double resolution = 0.05;  //!< size of a cell [m]
+  double maxGridCells = 4e8;
+  mrpt_mapconv::maps::TScanInsertionOptions scanInsertionOpts;
+  mrpt::maps::COccupancyGridMap2D::TInsertionOptions insertionOpts;
+  mrpt::maps::COccupancyGridMap2D::TLikelihoodOptions likelihoodOpts;
+  MAP_DEFINITION_END(CScanShapeGridMap2D)
+};
+
+}  // namespace mrpt_mapconv

@@ -1,0 +1,210 @@
+#include <mrpt/obs/CObservation2DRangeScan.h>
+#include <mrpt_mapconv/grid/CellKey.h>
+#include <mrpt_mapconv/grid/GridMap.h>
+#include <mrpt_mapconv/grid/OccupancyCell.h>
+#include <mrpt_mapconv/maps/CScanShapeGridMap2D.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <sstream>
+#include <stdexcept>
+#include <vector>
+
+// Where the grid of a CScanShapeGridMap2D lies, how it grows, and what its cells say.
+
+namespace mrpt_mapconv
+{
+using Base = mrpt::maps::COccupancyGridMap2D;
+using mrpt::obs::CObservation2DRangeScan;
+
+namespace
+{
+constexpr std::int32_t kStartSide = 20;  // cells; MRPT's grids are never without
+
+double cellsOf(const grid::GridFrame& frame)
+{
+  return static_cast<double>(frame.width) * static_cast<double>(frame.height);
+}
+
+bool fitsMrpt(const grid::GridFrame& frame)
+{
+  try
+  {
+    grid::checkGridMapFrame(frame);
+    return true;
+  }
+  catch (const std::runtime_error&)
+  {
+    return false;
+  }
+}
+
+/** The farthest that a scan's rays are inserted [m]. */
+double reachOf(const CObservation2DRangeScan& scan, const Base::TInsertionOptions& options)
+{
+  const double most = options.maxDistanceInsertion;
+  double reach = options.considerInvalidRangesAsFreeSpace ? most / 2 : 0;
+  for (std::size_t i = 0; i < scan.getScanSize(); ++i)
+    if (scan.getScanRangeValidity(i))
+      reach = std::max(reach, std::min(most, static_cast<double>(scan.getScanRange(i))));
+  return reach;
+}
+
+/** The cells within `reach` of (x, y), square; as many as keys can name. */
+grid::GridFrame frameAround(double x, double y, double reach, double resolution)
+{
+  const auto key = [resolution](double metres)
+  {
+    constexpr double farthest = 1e9;
+    const double cells = std::floor(metres / resolution);
+    return static_cast<std::int32_t>(std::clamp(cells, -farthest, farthest));
+  };
+  grid::GridFrame around{resolution, key(x - reach), key(y - reach), 0, 0};
+  around.width = key(x + reach) - around.x0 + 1;
+  around.height = key(y + reach) - around.y0 + 1;
+  return around;
+}
+
+/** How much more than asked for one side of the grid grows by, so that a drive does not copy it at
+ * each scan. */
+std::int32_t marginOf(std::int32_t side, double resolution)
+{
+  constexpr double most = 10;  // [m]
+  return std::max(1, std::min(side / 4, static_cast<std::int32_t>(most / resolution)));
+}
+}  // namespace
+
+grid::GridFrame CScanShapeGridMap2D::frame() const
+{
+  const bool own = m_resolution == static_cast<float>(m_cellSize);
+  const auto key = [this](float metres)
+  {
+    return static_cast<std::int32_t>(
+        std::lround(static_cast<double>(metres) / static_cast<double>(m_resolution)));
+  };
+  return {own ? m_cellSize : static_cast<double>(m_resolution), key(m_xMin), key(m_yMin),
+          static_cast<std::int32_t>(m_size_x), static_cast<std::int32_t>(m_size_y)};
+}
+
+void CScanShapeGridMap2D::startEmpty()
+{
+  const auto resolution = static_cast<float>(m_cellSize);
+  const float half = resolution * 0.5f * static_cast<float>(kStartSide);
+  setSize(-half, half, -half, half, resolution);
+}
+
+/** True if nobody has put anything into the grid that a new map begins with. */
+bool CScanShapeGridMap2D::isAsStarted() const
+{
+  return m_is_empty &&
+         frame() == grid::GridFrame{m_cellSize, -kStartSide / 2, -kStartSide / 2, kStartSide,
+                                    kStartSide} &&
+         std::all_of(m_map.begin(), m_map.end(), [](cellType cell) { return cell == 0; });
+}
+
+/** Lets the grid hold these cells.
+ * \exception std::runtime_error if it would be too large; it then stays as it was */
+void CScanShapeGridMap2D::makeRoomFor(const grid::GridFrame& needed)
+{
+  const grid::GridFrame now = frame();
+  // where a map begins says nothing about where it lies
+  const grid::GridFrame least = isAsStarted() ? needed : unite(now, needed);
+  if (least == now) return;
+  checkSize(least);
+  const grid::GridFrame roomy = withMargin(least);
+  layOut(cellsOf(roomy) <= maxGridCells && fitsMrpt(roomy) ? roomy : least);
+}
+
+void CScanShapeGridMap2D::checkSize(const grid::GridFrame& least) const
+{
+  constexpr double mrptsMost = std::numeric_limits<std::uint32_t>::max();
+  if (!(cellsOf(least) <= std::min(maxGridCells, mrptsMost)))
+  {
+    std::ostringstream message;
+    message << "maxGridCells = " << maxGridCells << ": with this scan the grid would have "
+            << least.width << " x " << least.height << " = " << cellsOf(least)
+            << " cells; is the scan's pose right?";
+    throw std::runtime_error(message.str());
+  }
+  grid::checkGridMapFrame(least);
+}
+
+/** The frame with room on those sides where the grid has to grow. */
+grid::GridFrame CScanShapeGridMap2D::withMargin(const grid::GridFrame& least) const
+{
+  const grid::GridFrame now = frame();
+  const std::int32_t marginX = marginOf(least.width, least.resolution);
+  const std::int32_t marginY = marginOf(least.height, least.resolution);
+  const bool all = isAsStarted();
+  grid::GridFrame roomy = least;
+  if (all || least.x0 < now.x0) roomy.x0 -= marginX;
+  if (all || least.y0 < now.y0) roomy.y0 -= marginY;
+  roomy.width = least.xEnd() + (all || least.xEnd() > now.xEnd() ? marginX : 0) - roomy.x0;
+  roomy.height = least.yEnd() + (all || least.yEnd() > now.yEnd() ? marginY : 0) - roomy.y0;
+  return roomy;
+}
+
+/** Lays the grid out anew. The frame has to hold all cells that say something. */
+void CScanShapeGridMap2D::layOut(const grid::GridFrame& target)
+{
+  std::vector<cellType> cells(target.size(), 0);
+  if (!isAsStarted())
+  {
+    const grid::GridFrame now = frame();
+    for (std::int32_t iy = 0; iy < now.height; ++iy)
+      std::copy_n(getRow(iy), now.width, &cells[target.indexOfKey(now.x0, now.y0 + iy)]);
+  }
+  m_map.swap(cells);
+  m_size_x = static_cast<std::uint32_t>(target.width);
+  m_size_y = static_cast<std::uint32_t>(target.height);
+  // as setSize() rounds them, so that the same 2D scan gives the same cells as in MRPT's own grid
+  m_xMin = m_resolution * static_cast<float>(target.x0);
+  m_xMax = m_resolution * static_cast<float>(target.xEnd());
+  m_yMin = m_resolution * static_cast<float>(target.y0);
+  m_yMax = m_resolution * static_cast<float>(target.yEnd());
+  m_basis_map.clear();
+  m_voronoi_diagram.clear();
+  m_likelihoodCacheOutDated = true;
+}
+
+/** As the base class does it, but in a grid that has room: its own growth knows no limit, and with
+ * some resolutions it moves the cells a little. */
+bool CScanShapeGridMap2D::insert2D(const CObservation2DRangeScan& scan,
+                                   const mrpt::poses::CPose3D& robotPose)
+{
+  if (!scanInsertionOptions.insert2D || scan.getScanSize() == 0) return false;
+  // Scans that the base class is going to refuse need no room.
+  const auto sensor = robotPose + scan.sensorPose;
+  if (!scan.isPlanarScan(insertionOptions.horizontalTolerance)) return false;
+  if (insertionOptions.useMapAltitude && std::abs(insertionOptions.mapAltitude - sensor.z()) > 1e-3)
+    return false;
+  constexpr double mrptsMargin = 16;  // cells; with fewer around the rays, the base class grows
+  const double resolution = frame().resolution;
+  makeRoomFor(frameAround(sensor.x(), sensor.y(),
+                          reachOf(scan, insertionOptions) + mrptsMargin * resolution, resolution));
+  return Base::internal_insertObservation(scan, robotPose);
+}
+
+grid::Layer<float> CScanShapeGridMap2D::probability() const
+{
+  grid::Layer<float> layer(frame(), 0);
+  std::transform(m_map.begin(), m_map.end(), layer.cells().begin(),
+                 [](cellType cell)
+                 { return cell == 0 ? std::numeric_limits<float>::quiet_NaN() : 1 - l2p(cell); });
+  return layer;
+}
+
+grid::Layer<float> CScanShapeGridMap2D::occupancy() const
+{
+  grid::Layer<float> layer(frame(), grid::kUnknown);
+  std::transform(m_map.begin(), m_map.end(), layer.cells().begin(),
+                 [](cellType cell)
+                 {
+                   if (cell == 0) return grid::kUnknown;
+                   return cell > 0 ? grid::kFree : 1 - l2p(cell);
+                 });
+  return layer;
+}
+
+}  // namespace mrpt_mapconv

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <mrpt/config/CConfigFileBase.h>
+#include <mrpt/maps/metric_map_types.h>
+#include <mrpt_mapconv/maps/StrictSection.h>
+
+#include <string>
+#include <vector>
+
+namespace mrpt_mapconv::maps
+{
+/** \exception std::invalid_argument unless it is within [0.0001, 1000] m: beyond that MRPT's floats
+ * fail */
+double checkedResolution(double resolution);
+
+/** Reads the keys of a map's creation options that all our maps have. MRPT has read the flags that
+ * all maps share already, but takes "true ; why" for false.
+ * \exception std::runtime_error naming section, key and value, and what would be right */
+void readCreationOptions(StrictSection& ini, double& resolution,
+                         mrpt::maps::TMapGenericParams& shared);
+
+/** Warns of sections that begin with the map's prefix, but end like none of `endings`: most likely
+ * a typo. */
+void warnUnknownSections(const mrpt::config::CConfigFileBase& source, const std::string& prefix,
+                         const std::vector<std::string>& endings);
+
+}  // namespace mrpt_mapconv::maps

@@ -1,0 +1,182 @@
+#include <mrpt/config/CConfigFileBase.h>
+#include <mrpt/core/bits_math.h>
+#include <mrpt_mapconv/maps/ScanInsertionOptions.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <vector>
+
+namespace mrpt_mapconv::maps
+{
+namespace
+{
+constexpr std::uint8_t kStreamVersion = 0;
+
+const std::vector<std::string>& modelNames()
+{
+  static const std::vector<std::string> names{"wholeShape", "closestPoint"};
+  return names;
+}
+
+const std::string& nameOf(scan::Model model)
+{
+  return modelNames().at(static_cast<std::size_t>(model));
+}
+
+void readModel(StrictSection& ini, scan::Model& model)
+{
+  int index = static_cast<int>(model);
+  ini.readChoice("model", modelNames(), index);
+  model = static_cast<scan::Model>(index);
+}
+
+/** The object slice; its upper end is the robot's height unless it is given itself. */
+void readObjectSlice(StrictSection& ini, scan::ProfileParams& params)
+{
+  ini.read("objectMinZ", params.objectMinZ);
+  ini.read("robotHeight", params.objectMaxZ);
+  if (ini.has("robotHeight") && params.objectMaxZ <= params.objectMinZ)
+    ini.fail("robotHeight", "a height above objectMinZ [m]");
+  ini.read("objectMaxZ", params.objectMaxZ);
+}
+
+constexpr double kDefaultGap = -1;
+
+double gapInDegrees(double gap) { return gap == kDefaultGap ? gap : mrpt::RAD2DEG(gap); }
+
+void readGap(StrictSection& ini, double& gap)
+{
+  double degrees = gapInDegrees(gap);
+  ini.read("structureGap", degrees);
+  if (!ini.has("structureGap")) return;
+  if (degrees != kDefaultGap && !(degrees >= 0 && degrees <= 180))
+    ini.fail("structureGap", "from 0 to 180 degrees, or -1 for the default");
+  gap = degrees == kDefaultGap ? kDefaultGap : mrpt::DEG2RAD(degrees);
+}
+
+void readProfile(StrictSection& ini, scan::ProfileParams& params)
+{
+  readModel(ini, params.model);
+  readObjectSlice(ini, params);
+  ini.read("reflectionFilter", params.reflectionFilter);
+  ini.read("structureMinZ", params.structureMinZ);
+  ini.read("structureMaxZ", params.structureMaxZ);
+  ini.read("minRange", params.minRange);
+  ini.read("maxRange", params.maxRange);
+  ini.read("sectors", params.sectors);
+  readGap(ini, params.structureGap);
+  ini.read("structureTolerance", params.structureTolerance);
+}
+
+void readUpdate(StrictSection& ini, scan::UpdateParams& params)
+{
+  ini.read("pHit", params.pHit);
+  ini.read("pMiss", params.pMiss);
+  ini.read("pMin", params.pMin);
+  ini.read("pMax", params.pMax);
+}
+}  // namespace
+
+void TScanInsertionOptions::check() const
+{
+  profile.check();
+  update.check();
+}
+
+void TScanInsertionOptions::readFrom(StrictSection& ini)
+{
+  TScanInsertionOptions read = *this;
+  readProfile(ini, read.profile);
+  readUpdate(ini, read.update);
+  ini.read("insert2D", read.insert2D);
+  try
+  {
+    read.check();
+  }
+  catch (const std::invalid_argument& error)
+  {
+    throw std::runtime_error("section '" + ini.name() + "': " + error.what());
+  }
+  *this = read;
+}
+
+void TScanInsertionOptions::loadFromConfigFile(const mrpt::config::CConfigFileBase& source,
+                                               const std::string& section)
+{
+  StrictSection ini(source, section);
+  readFrom(ini);
+  ini.warnUnknown();
+}
+
+void TScanInsertionOptions::saveToConfigFile(mrpt::config::CConfigFileBase& target,
+                                             const std::string& section) const
+{
+  target.write(section, "model", nameOf(profile.model));
+  target.write(section, "objectMinZ", profile.objectMinZ);
+  target.write(section, "objectMaxZ", profile.objectMaxZ);
+  target.write(section, "reflectionFilter", profile.reflectionFilter);
+  if (!std::isnan(profile.structureMinZ))
+    target.write(section, "structureMinZ", profile.structureMinZ);
+  if (!std::isnan(profile.structureMaxZ))
+    target.write(section, "structureMaxZ", profile.structureMaxZ);
+  target.write(section, "minRange", profile.minRange);
+  target.write(section, "maxRange", profile.maxRange);
+  target.write(section, "sectors", profile.sectors);
+  target.write(section, "structureGap", gapInDegrees(profile.structureGap));
+  target.write(section, "structureTolerance", profile.structureTolerance);
+  target.write(section, "pHit", update.pHit);
+  target.write(section, "pMiss", update.pMiss);
+  target.write(section, "pMin", update.pMin);
+  target.write(section, "pMax", update.pMax);
+  target.write(section, "insert2D", insert2D);
+}
+
+void TScanInsertionOptions::dumpToTextStream(std::ostream& out) const
+{
+  out << "\n----------- [mrpt_mapconv TScanInsertionOptions] ------------ \n\n";
+  out << "model                                   = " << nameOf(profile.model) << "\n";
+  dumpVar_double(out, "objectMinZ", profile.objectMinZ);
+  dumpVar_double(out, "objectMaxZ", profile.objectMaxZ);
+  dumpVar_bool(out, "reflectionFilter", profile.reflectionFilter);
+  dumpVar_double(out, "structureMinZ", profile.structureMinZ);
+  dumpVar_double(out, "structureMaxZ", profile.structureMaxZ);
+  dumpVar_double(out, "minRange", profile.minRange);
+  dumpVar_double(out, "maxRange", profile.maxRange);
+  dumpVar_int(out, "sectors", profile.sectors);
+  dumpVar_double(out, "structureGap", gapInDegrees(profile.structureGap));
+  dumpVar_double(out, "structureTolerance", profile.structureTolerance);
+  dumpVar_double(out, "pHit", update.pHit);
+  dumpVar_double(out, "pMiss", update.pMiss);
+  dumpVar_double(out, "pMin", update.pMin);
+  dumpVar_double(out, "pMax", update.pMax);
+  dumpVar_bool(out, "insert2D", insert2D);
+}
+
+void TScanInsertionOptions::writeToStream(mrpt::serialization::CArchive& out) const
+{
+  out << kStreamVersion << static_cast<std::uint8_t>(profile.model) << profile.objectMinZ
+      << profile.objectMaxZ << profile.reflectionFilter << profile.structureMinZ
+      << profile.structureMaxZ << profile.minRange << profile.maxRange << profile.sectors
+      << profile.structureGap << profile.structureTolerance << update.pHit << update.pMiss
+      << update.pMin << update.pMax << insert2D;
+}
+
+void TScanInsertionOptions::readFromStream(mrpt::serialization::CArchive& in)
+{
+  std::uint8_t version = 0, model = 0;
+  TScanInsertionOptions read;
+  in >> version;
+  if (version != kStreamVersion)
+    throw std::runtime_error("scan insertion options: unknown version " + std::to_string(version));
+  in >> model >> read.profile.objectMinZ >> read.profile.objectMaxZ >>
+      read.profile.reflectionFilter >> read.profile.structureMinZ >> read.profile.structureMaxZ >>
+      read.profile.minRange >> read.profile.maxRange >> read.profile.sectors >>
+      read.profile.structureGap >> read.profile.structureTolerance >> read.update.pHit >>
+      read.update.pMiss >> read.update.pMin >> read.update.pMax >> read.insert2D;
+  if (model >= modelNames().size())
+    throw std::runtime_error("scan insertion options: unknown model " + std::to_string(model));
+  read.profile.model = static_cast<scan::Model>(model);
+  *this = read;
+}
+
+}  // namespace mrpt_mapconv::maps

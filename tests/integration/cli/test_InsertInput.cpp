@@ -1,0 +1,377 @@
+#include <gtest/gtest.h>
+#include <mrpt/config/CConfigFile.h>
+#include <mrpt/maps/COccupancyGridMap2D.h>
+#include <mrpt_mapconv/maps/ScanInsertionOptions.h>
+
+#include <array>
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <sstream>
+
+#include "HandMap.h"
+#include "Program.h"
+#include "ScanFiles.h"
+#include "StrictJson.h"
+#include "unit/grid/TempDir.h"
+
+using namespace mrpt_mapconv::testing;
+using mrpt_mapconv::maps::TScanInsertionOptions;
+namespace fs = std::filesystem;
+
+// What mapconv insert is given: ini files and flags, and files that it cannot use.
+
+namespace
+{
+mrpt::obs::CObservation::Ptr chair(double seconds)
+{
+  return cloudOn({{1.75f, 0.25f, 0.5f}}, {0.25, 0.25, 1}, seconds);
+}
+
+/** Inserts a scan of a chair with an ini file of this text, or without. */
+class InsertInput : public ::testing::Test
+{
+ protected:
+  InsertInput() { writeObjects(m_dir.path("chair.rawlog"), {chair(0)}); }
+
+  Outcome insert(const std::string& file, std::vector<std::string> flags)
+  {
+    flags.insert(flags.begin(), {"insert", m_dir.path(file), "-o", m_dir.path("out"), "--json"});
+    return mapconv(flags);
+  }
+  Outcome insertWith(const std::string& ini, std::vector<std::string> flags = {})
+  {
+    std::ofstream(m_dir.path("my.ini")) << ini;
+    flags.insert(flags.end(), {"-c", m_dir.path("my.ini")});
+    return insert("chair.rawlog", flags);
+  }
+  void expectNothingWritten() const { EXPECT_FALSE(fs::exists(m_dir.path("out"))); }
+
+  TempDir m_dir;
+};
+
+void expectWords(const Outcome& run, const std::vector<std::string>& words)
+{
+  EXPECT_EQ("", run.out);
+  EXPECT_TRUE(isOneError(run.err)) << run.err;
+  for (const auto& word : words) EXPECT_TRUE(contains(run.err, word)) << word << " in " << run.err;
+}
+
+std::string textOf(const TScanInsertionOptions& options)
+{
+  std::ostringstream text;
+  options.dumpToTextStream(text);
+  return text.str();
+}
+
+std::map<std::string, std::string> filesIn(const std::string& dir)
+{
+  std::map<std::string, std::string> files;
+  for (const auto& entry : fs::directory_iterator(dir))
+    files[entry.path().filename().string()] = readBytes(entry.path().string());
+  return files;
+}
+}  // namespace
+
+TEST_F(InsertInput, theFilterNeedsAStructureSliceAndTheErrorSaysHowToGiveIt)
+{
+  const std::vector<std::string> ways = {"--structure", "structureMinZ", "structureMaxZ",
+                                         "[insertion]", "--no-reflection-filter"};
+  auto run = insert("chair.rawlog", {});
+  EXPECT_EQ(2, run.status);
+  expectWords(run, ways);
+  for (const char* ini : {"[map]\nresolution = 0.1\n", "[insertion]\nreflectionFilter = true\n"})
+  {
+    run = insertWith(ini);
+    EXPECT_EQ(2, run.status) << ini;
+    expectWords(run, ways);
+  }
+  run = insertWith("[insertion]\nstructureMinZ = 2.2\n");
+  EXPECT_EQ(1, run.status);
+  expectWords(run, {"my.ini", "insertion", "structureMaxZ is missing"});
+  expectNothingWritten();
+  for (const auto& flags : {std::vector<std::string>{"--structure", "2.2", "2.6"},
+                            std::vector<std::string>{"--no-reflection-filter"}})
+    EXPECT_EQ(0, insertWith("[insertion]\nreflectionFilter = true\n", flags).status) << flags[0];
+  EXPECT_EQ(0, insertWith("[insertion]\nreflectionFilter = false\n").status);
+}
+
+TEST_F(InsertInput, iniSetsAndFlagsWin)
+{
+  const std::string ini =
+      "[map]\nresolution = 0.25 // comment\n[insertion]\nmodel = closestPoint\nobjectMinZ = 0.1\n"
+      "robotHeight = 1.8 ; comment\nstructureMinZ = 2\nstructureMaxZ = 2.5\nmaxRange = 7\n";
+  auto run = insertWith(ini);
+  ASSERT_EQ(0, run.status) << run.err;
+  EXPECT_FALSE(contains(run.err, "unknown")) << run.err;
+  JsonValue json = parseJson(run.out);
+  EXPECT_EQ(0.25, json["resolution"].number);
+  EXPECT_EQ("closestPoint", json["parameters"]["model"].text);
+  EXPECT_EQ(0.1, json["parameters"]["objectMinZ"].number);
+  EXPECT_EQ(1.8, json["parameters"]["objectMaxZ"].number);
+  EXPECT_EQ(7, json["parameters"]["maxRange"].number);
+  EXPECT_EQ(2.5, json["parameters"]["structureMaxZ"].number);
+
+  run = insertWith(
+      ini, {"--resolution", "0.125", "--model", "wholeShape", "--structure", "-1.5", "3.25"});
+  ASSERT_EQ(0, run.status) << run.err;
+  json = parseJson(run.out);
+  EXPECT_EQ(0.125, json["resolution"].number);
+  EXPECT_EQ("wholeShape", json["parameters"]["model"].text);
+  EXPECT_EQ(-1.5, json["parameters"]["structureMinZ"].number);
+  EXPECT_EQ(3.25, json["parameters"]["structureMaxZ"].number);
+  EXPECT_EQ(0.1, json["parameters"]["objectMinZ"].number) << "what no flag is for";
+
+  run = insertWith(ini, {"--no-reflection-filter"});
+  EXPECT_FALSE(parseJson(run.out)["parameters"]["reflectionFilter"].truth);
+}
+
+TEST_F(InsertInput, theShippedFileHoldsTheDefaults)
+{
+  const std::string file = MRPT_MAPCONV_SOURCE_DIR "/config/scan-insertion.ini";
+  const auto without = insert("chair.rawlog", {"--structure", "2.2", "2.6"});
+  const auto with = insert("chair.rawlog", {"-c", file});
+  ASSERT_EQ(0, with.status) << with.err;
+  EXPECT_EQ(without.err, with.err) << "no warning of its own";
+  EXPECT_EQ(parseJson(without.out)["resolution"].number, parseJson(with.out)["resolution"].number);
+
+  TScanInsertionOptions shipped, defaults;
+  shipped.loadFromConfigFile(mrpt::config::CConfigFile(file), "insertion");
+  // what the file says is not the default
+  defaults.profile.structureMinZ = shipped.profile.structureMinZ;
+  defaults.profile.structureMaxZ = shipped.profile.structureMaxZ;
+  EXPECT_TRUE(defaults.insert2D);
+  defaults.insert2D = shipped.insert2D;
+  EXPECT_EQ(textOf(defaults), textOf(shipped));
+}
+
+TEST_F(InsertInput, typosAreNamedInAWarning)
+{
+  const auto run = insertWith(
+      "[insertion]\nreflectionFilter = false\nmaxrnge = 3\n[map]\nresolutoin = 1\n[conversion]\n"
+      "minClearance = 1\n");
+  EXPECT_EQ(0, run.status);
+  EXPECT_EQ(3, warningsIn(run.err)) << run.err;
+  for (const char* word : {"my.ini", "maxrnge", "resolutoin", "[conversion]", "[insertion] and"})
+    EXPECT_TRUE(contains(run.err, word)) << word << " in " << run.err;
+}
+
+TEST_F(InsertInput, badIniValuesAreErrorsThatNameFileSectionKeyAndValue)
+{
+  const std::vector<std::array<std::string, 3>> cases = {
+      {"map", "resolution", "0"},
+      {"map", "resolution", "fine"},
+      {"map", "maxGridCells", "0.5"},
+      {"insertion", "model", "nearest"},
+      {"insertion", "objectMinZ", "2"},
+      {"insertion", "robotHeight", "tall"},
+      {"insertion", "reflectionFilter", "perhaps"},
+      {"insertion", "structureMaxZ", "2.1"},
+      {"insertion", "maxRange", "-3"},
+      {"insertion", "sectors", "1.5"},
+      {"insertion", "pHit", "0.4"},
+      {"insertion", "insert2D", "2"},
+      {"insertion", "maxDistanceInsertion", "0"}};
+  for (const auto& [section, key, value] : cases)
+  {
+    std::string slice = "structureMinZ = 2.2\n";
+    if (key != "structureMaxZ") slice += "structureMaxZ = 2.6\n";
+    const std::string line = key + " = " + value + "\n";
+    const auto run =
+        insertWith("[insertion]\n" + slice + (section == "map" ? "[map]\n" + line : line));
+    EXPECT_EQ(1, run.status) << key << " " << value;
+    const std::string named = key == "objectMinZ" ? "objectMaxZ" : key;  // the two go together
+    expectWords(run, {"my.ini", section, named});
+    if (named == key) expectWords(run, {value});
+    expectNothingWritten();
+  }
+}
+
+TEST_F(InsertInput, badFlagsAreStatus2AndNamed)
+{
+  const std::vector<std::pair<std::vector<std::string>, std::vector<std::string>>> cases = {
+      {{"--resolution", "0"}, {"--resolution", "0.0001"}},
+      {{"--resolution", "nan"}, {"--resolution", "nan"}},
+      {{"--resolution", "fine"}, {"--resolution", "fine"}},
+      {{"--resolution", "5000"}, {"--resolution", "5000"}},
+      {{"--model", "nearest"}, {"--model", "nearest", "wholeShape"}},
+      {{"--structure", "2.6", "2.2"}, {"--structure", "2.6", "2.2"}},
+      {{"--structure", "2.6", "2.6"}, {"--structure", "2.6"}},
+      {{"--structure", "2.2"}, {"--structure"}},
+      {{"--structure", "2.2", "inf"}, {"--structure", "inf"}},
+      {{"--structure", "low", "2.2"}, {"--structure", "low"}},
+      {{"--frobnicate"}, {"--frobnicate"}},
+  };
+  for (const auto& [flags, words] : cases)
+  {
+    const auto run = insert("chair.rawlog", flags);
+    EXPECT_EQ(2, run.status) << flags[0];
+    expectWords(run, words);
+  }
+  expectNothingWritten();
+}
+
+TEST_F(InsertInput, flagsWithoutEffectAreNamed)
+{
+  auto run = insert("chair.rawlog", {"--structure", "2.2", "2.6", "--no-reflection-filter"});
+  EXPECT_EQ(0, run.status);
+  EXPECT_EQ(1, warningsIn(run.err)) << run.err;
+  EXPECT_TRUE(contains(run.err, "--structure has no effect")) << run.err;
+  writeSimpleMap(m_dir.path("chair.simplemap"), {chair(0)});
+  run = insert("chair.simplemap", {"--no-reflection-filter", "--static"});
+  EXPECT_EQ(0, run.status);
+  EXPECT_TRUE(contains(run.err, "--static has no effect")) << run.err;
+}
+
+TEST_F(InsertInput, aMapThatFewWallsAreSeenInIsWarnedOf)
+{
+  const auto run = insert("chair.rawlog", {"--structure", "2.2", "2.6"});
+  EXPECT_EQ(0, run.status);
+  EXPECT_EQ(1, warningsIn(run.err)) << run.err;
+  EXPECT_TRUE(contains(run.err, "0.0 %") && contains(run.err, "structureMinZ")) << run.err;
+  EXPECT_EQ(0, parseJson(run.out)["shareWithWall"].number);
+}
+
+namespace
+{
+void write(const std::string& path, const std::string& bytes)
+{
+  std::ofstream(path, std::ios::binary) << bytes;
+}
+
+void cutShort(const std::string& path) { fs::resize_file(path, fs::file_size(path) - 20); }
+
+/** A file that nothing can be made of, and a word that the error must hold besides its name. */
+struct BadFile
+{
+  std::string name;
+  std::function<void(const std::string& path)> make;
+  std::string word;
+};
+
+std::vector<BadFile> badFiles()
+{
+  using mrpt::maps::COccupancyGridMap2D;
+  const auto objects = [](const Objects& list)
+  { return [list](const std::string& path) { writeObjects(path, list); }; };
+  const auto far = cloudOn({{1.75f, 0.25f, 0.5f}}, {0.25, 0.25, 1}, 1);
+  return {
+      {"missing.rawlog", [](const std::string&) {}, "no such file"},
+      {"missing.map", [](const std::string&) {}, "no such file"},
+      {"folder.rawlog", [](const std::string& path) { fs::create_directory(path); }, "directory"},
+      {"empty.rawlog", [](const std::string& path) { write(path, ""); }, "empty"},
+      {"text.map", [](const std::string& path) { write(path, "no map\n"); }, "MRPT"},
+      {"octree.bt", [](const std::string& path) { HandMap::write(path); }, "octree"},
+      {"octree.rawlog", [](const std::string& path) { HandMap::write(path); }, "octree"},
+      {"a.gridmap", objects({COccupancyGridMap2D::Create()}), "COccupancyGridMap2D"},
+      {"2d.rawlog", objects({robotAt(0, 0), scan2D(0)}), "no 3D"},
+      {"2d.simplemap", [](const std::string& path) { writeSimpleMap(path, {scan2D(0)}); }, "3D"},
+      {"unposed.rawlog", objects({chair(0), chair(1)}), "--static"},
+      {"cut.rawlog",
+       [](const std::string& path)
+       {
+         writeObjects(path, {chair(0), chair(1)});
+         cutShort(path);
+       },
+       "truncated"},
+      {"cut.simplemap",
+       [](const std::string& path)
+       {
+         writeSimpleMap(path, {chair(0), chair(0), chair(0)});
+         cutShort(path);
+       },
+       "truncated"},
+      {"floor.rawlog", objects({cloudOn({{1, 0, 0}}, {0, 0, 1}, 0)}), "none of its scans"},
+      {"nan.rawlog", objects({cloudOn({}, {0, 0, 1}, 0)}), "1: no usable point"},
+      {"far.rawlog", objects({robotAt(0, 0), chair(0), far, robotAt(3e4, 1)}), "maxGridCells"},
+  };
+}
+}  // namespace
+
+TEST(InsertBadInput, isOneClearErrorAndLeavesNoTrace)
+{
+  for (const BadFile& bad : badFiles())
+  {
+    const TempDir dir;
+    bad.make(dir.path(bad.name));
+    write(dir.path("small.ini"), "[map]\nmaxGridCells = 100000\n");
+    const std::size_t entries = dir.entries();
+    const auto run = mapconv({"insert", dir.path(bad.name), "-o", dir.path("out/deep"), "--json",
+                              "-c", dir.path("small.ini"), "--no-reflection-filter"});
+    EXPECT_EQ(1, run.status) << bad.name;
+    expectWords(run, {bad.name, bad.word});
+    EXPECT_EQ(entries, dir.entries()) << bad.name << " left something behind";
+  }
+}
+
+TEST(InsertBadInput, optionsThatOnlyTheScansShowToBeBadAreNotBlamedOnTheLog)
+{
+  const TempDir dir;
+  writeObjects(dir.path("chair.rawlog"), {chair(0)});
+  const auto run = mapconv({"insert", dir.path("chair.rawlog"), "-o", dir.path("out"),
+                            "--resolution", "0.001", "--no-reflection-filter"});
+  EXPECT_EQ(1, run.status);
+  expectWords(run, {"maxRange = 20", "10000 cells"});
+  EXPECT_FALSE(contains(run.err, "chair.rawlog")) << run.err;
+}
+
+TEST(InsertBadInput, leavesEarlierResultsAlone)
+{
+  const TempDir dir;
+  writeObjects(dir.path("chair.rawlog"), {chair(0)});
+  write(dir.path("bad.rawlog"), "nonsense");
+  const auto insert = [&dir](const std::string& file)
+  {
+    return mapconv({"insert", dir.path(file), "-o", dir.path("out"), "--no-reflection-filter"})
+        .status;
+  };
+  ASSERT_EQ(0, insert("chair.rawlog"));
+  const auto before = filesIn(dir.path("out"));
+  EXPECT_EQ(5U, before.size());
+  EXPECT_EQ(1, insert("bad.rawlog"));
+  EXPECT_EQ(before, filesIn(dir.path("out")));
+}
+
+TEST(InsertBadOutput, aFolderThatCannotBeWrittenIsNamed)
+{
+  const TempDir dir;
+  writeObjects(dir.path("chair.rawlog"), {chair(0)});
+  write(dir.path("file"), "mine");
+  for (const std::string& out : {dir.path("file"), dir.path("file/sub"), std::string("/proc/no")})
+  {
+    const auto run =
+        mapconv({"insert", dir.path("chair.rawlog"), "-o", out, "--no-reflection-filter"});
+    EXPECT_EQ(1, run.status) << out;
+    expectWords(run, {out});
+  }
+  EXPECT_EQ("mine", readBytes(dir.path("file")));
+}
+
+TEST(InsertBadOutput, aFullDiskLeavesNothingNewAndNothingChanged)
+{
+  const TinyDisk disk(64);
+  if (!disk.mounted()) GTEST_SKIP() << "no right to mount a small disk";
+  const TempDir dir;
+  writeObjects(dir.path("chair.rawlog"), {chair(0)});
+  fs::create_directory(disk.path("out"));
+  write(disk.path("out/map.tif"), "earlier result");
+  write(disk.path("filler"), std::string(44 << 10, 'x'));
+  const auto run = mapconv(
+      {"insert", dir.path("chair.rawlog"), "-o", disk.path("out"), "--no-reflection-filter"});
+  EXPECT_EQ(1, run.status);
+  expectWords(run, {"No space left on device"});
+  EXPECT_EQ((std::map<std::string, std::string>{{"map.tif", "earlier result"}}),
+            filesIn(disk.path("out")));
+}
+
+TEST(InsertBadOutput, aFileThatMayNotGrowIsLikeAFullDisk)
+{
+  const TempDir dir;
+  writeObjects(dir.path("chair.rawlog"), {chair(0)});
+  const auto run = runProgram(
+      {"bash", "-c", "ulimit -f 1; exec \"$0\" insert \"$1\" -o \"$2\" --no-reflection-filter",
+       MAPCONV_PROGRAM, dir.path("chair.rawlog"), dir.path("out")});
+  EXPECT_EQ(1, run.status);
+  expectWords(run, {});
+  EXPECT_FALSE(fs::exists(dir.path("out")));
+}
