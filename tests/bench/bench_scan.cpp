@@ -55,18 +55,17 @@ Scan scanOf(const mrpt::obs::CObservation& observation, const mrpt::poses::CPose
 }
 
 /** Scans from places all along the way through the office. */
-std::vector<Scan> officeScans()
+std::vector<Scan> officeScans(int count)
 {
-  constexpr int kScans = 16;
   const auto scenario =
       sim::Scenario::load(std::string(MRPT_MAPCONV_SOURCE_DIR) + "/config/worlds/office.ini");
   const sim::RayCaster caster(scenario.world);
   const auto lidar = std::find_if(scenario.sensors.begin(), scenario.sensors.end(),
                                   [](const auto& sensor) { return sensor->is3D(); });
   std::vector<Scan> scans;
-  for (int i = 0; i < kScans; ++i)
+  for (int i = 0; i < count; ++i)
   {
-    const auto pose = scenario.trajectory.poseAt(scenario.trajectory.duration() * i / kScans);
+    const auto pose = scenario.trajectory.poseAt(scenario.trajectory.duration() * i / count);
     const auto key = static_cast<std::uint64_t>(i);
     scans.push_back(scanOf(*(*lidar)->scan(caster, pose, key).observation, pose));
   }
@@ -166,7 +165,7 @@ int main(int argc, char** argv)
     scan::ProfileParams office;
     office.structureMinZ = 2.3;
     office.structureMaxZ = 2.6;
-    measure({"office", officeScans(), office}, fewer);
+    measure({"office", officeScans(std::max(1, 16 / fewer)), office}, fewer);
     const std::string log = std::string(MRPT_MAPCONV_SHARED_DIR) + "/vlp16_3scans.rawlog";
     if (!std::filesystem::exists(log))
     {

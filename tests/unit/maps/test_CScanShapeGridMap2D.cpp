@@ -40,9 +40,9 @@ TEST(CScanShapeGridMap2D, TheFloorIsFreeTheWallsAreOccupiedAndTheRestIsUnknown)
   auto map = mapForRooms();
   ASSERT_TRUE(map.insertObservation(scanOf(room, CPose3D()), CPose3D()));
   EXPECT_FALSE(map.isEmpty());
-  // by hand: one hit is 35/16, one miss 10/16 of log-odds
-  EXPECT_NEAR(map.getPos(1.05f, 1.05f), 0.65f, 0.01f);
-  EXPECT_NEAR(map.getPos(-2.05f, -1.05f), 0.65f, 0.01f);
+  // by hand: one hit is 35/16, one miss 6/16 of log-odds
+  EXPECT_NEAR(map.getPos(1.05f, 1.05f), 0.593f, 0.001f);
+  EXPECT_NEAR(map.getPos(-2.05f, -1.05f), 0.593f, 0.001f);
   for (int i = -3; i <= 3; ++i)
   {
     const float along = 0.5f * static_cast<float>(i) + 0.05f;
@@ -421,5 +421,5 @@ TEST(CScanShapeGridMap2D, RealScans)
   }
   EXPECT_GT(countCells(map, [](int cell) { return cell > 0; }), 1000u);
   EXPECT_GT(countCells(map, [](int cell) { return cell < 0; }), 200u);
-  EXPECT_GT(map.getPos(0.55f, 0.55f), 0.7f);  // three times free around the robot
+  EXPECT_GT(map.getPos(0.55f, 0.55f), 0.67f);  // free around the robot, at least twice
 }

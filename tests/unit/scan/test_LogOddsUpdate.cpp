@@ -105,7 +105,7 @@ TEST(LogOddsUpdate, RaisesFreeCellsAndLowersOccupiedOnes)
 
 TEST(LogOddsUpdate, KeepsCellsWithinTheLimits)
 {
-  EXPECT_EQ(updated(LogOddsUpdate(), {45, 46, -20}), (Cells{55, 55, -55}));
+  EXPECT_EQ(updated(LogOddsUpdate(), {49, 50, -20}), (Cells{55, 55, -55}));
   EXPECT_EQ(updated(LogOddsUpdate(), {55, 54, -21}), (Cells{55, 55, -55}));
   EXPECT_EQ(updated(LogOddsUpdate(), {55, 55, -55}), (Cells{55, 55, -55}));
 }
@@ -115,13 +115,13 @@ TEST(LogOddsUpdate, CellsBeyondTheLimitsAreNotPulledBack)
   // by no update away from the middle …
   EXPECT_EQ(updated(LogOddsUpdate(), {56, 100, -70}), (Cells{56, 100, -70}));
   // … and by one towards it only as far as that goes
-  EXPECT_EQ(updated(LogOddsUpdate(), {-100, -60, 120}), (Cells{-90, -50, 85}));
+  EXPECT_EQ(updated(LogOddsUpdate(), {-100, -60, 120}), (Cells{-94, -54, 85}));
 }
 
 TEST(LogOddsUpdate, RawCellsAtTheLimitsOfTheirTypeDoNotWrap)
 {
   EXPECT_EQ(updated(LogOddsUpdate(), {127, 127, -128}), (Cells{127, 127, -128}));
-  EXPECT_EQ(updated(LogOddsUpdate(), {-128, -127, 127}), (Cells{-118, -117, 92}));
+  EXPECT_EQ(updated(LogOddsUpdate(), {-128, -127, 127}), (Cells{-122, -121, 92}));
   const LogOddsUpdate strong = updateOf(0.999, 0.001, 0.0005, 0.9995);  // 111 units
   EXPECT_EQ(updated(strong, {127, 30, -30}), (Cells{127, 121, -121}));
   EXPECT_EQ(updated(strong, {-128, -128, 127}), (Cells{-17, -17, 16}));
@@ -133,7 +133,7 @@ TEST(LogOddsUpdate, ChangesNoOtherCells)
   Cells cells(18, 5);
   LogOddsUpdate().apply(threeCells(), {1.0, -2, -1, 6, 3}, cells.data());
   EXPECT_EQ(cells, (Cells{5, 5, 5, 5, 5, 5,      //
-                          5, 5, 15, 15, -30, 5,  //
+                          5, 5, 11, 11, -30, 5,  //
                           5, 5, 5, 5, 5, 5}));
 }
 
