@@ -1,11 +1,13 @@
 // Speed of inserting 3D scans into a 2D grid of 5 cm cells that is large enough, everything from
 // points to updated cells, on one thread, as the ratio to mrpt::maps::COctoMap inserting the same
-// clouds in this process (target: >= 20 million points per second). Each figure is the best of
-// many rounds over all scans; the baseline's of one or two, since it takes so long.
+// clouds up to 20 m in this process (target: >= 20 million points per second). Each figure is the
+// best of many rounds over all scans; the baseline's of fewer, since it takes so long. "The class"
+// is CScanShapeGridMap2D::insertObservation(), which takes the points from the observation first.
 //
 //   bench_scan [FEWER]    FEWER: divides the number of rounds, to see quickly that it works
 #include <mrpt/maps/COctoMap.h>
 #include <mrpt/obs/CObservationVelodyneScan.h>
+#include <mrpt_mapconv/maps/CScanShapeGridMap2D.h>
 #include <mrpt_mapconv/maps/ObservationPoints.h>
 #include <mrpt_mapconv/maps/ScanLog.h>
 #include <mrpt_mapconv/scan/LogOddsUpdate.h>
@@ -111,16 +113,17 @@ class Grid
   scan::LogOddsUpdate m_update;
 };
 
-double insertIntoOctoMap(const std::vector<Scan>& scans, int rounds)
+void insertIntoOctoMap(const std::vector<Scan>& scans)
 {
-  return bestOf(rounds,
-                [&]
-                {
-                  mrpt::maps::COctoMap map(kResolution);
-                  for (const Scan& scan : scans) map.insertObservation(scan.cloud);
-                  if (map.calcNumNodes() < 1000)
-                    throw std::runtime_error("COctoMap has not inserted the scans");
-                });
+  mrpt::maps::COctoMap map(kResolution);
+  map.insertionOptions.maxrange = 20;
+  std::size_t nodes = 0;
+  for (const Scan& scan : scans)
+  {
+    if (!map.insertObservation(scan.cloud) || map.calcNumNodes() <= nodes)
+      throw std::runtime_error("COctoMap has not inserted a scan");
+    if (nodes == 0) nodes = 1;  // later scans may see nothing new
+  }
 }
 
 struct Subject
@@ -128,16 +131,47 @@ struct Subject
   std::string name;
   std::vector<Scan> scans;
   scan::ProfileParams params;
+  int baselineRounds;
+
+  double points() const
+  {
+    double points = 0;
+    for (const Scan& scan : scans) points += static_cast<double>(scan.points.size());
+    return points;
+  }
 };
+
+void report(const std::string& what, const Subject& subject, double time, double octoMap)
+{
+  constexpr double kTarget = 20e6;  // points per second
+  const double perSecond = subject.points() / time;
+  std::printf("  %-27s %6.3f ms a scan, %6.1f million points/s (%s), COctoMap/ours %5.0f\n",
+              what.c_str(), 1e3 * time / static_cast<double>(subject.scans.size()), perSecond / 1e6,
+              perSecond >= kTarget ? "target met" : "MISSED", octoMap / time);
+}
+
+/** Through MRPT's interface, the points taken from the observation. */
+double insertIntoClass(const Subject& subject, int rounds)
+{
+  CScanShapeGridMap2D map(kResolution);
+  map.scanInsertionOptions.profile = subject.params;
+  return bestOf(rounds,
+                [&]
+                {
+                  for (const Scan& scan : subject.scans)
+                    if (!map.insertObservation(scan.cloud))
+                      throw std::runtime_error("CScanShapeGridMap2D has not inserted a scan");
+                });
+}
 
 void measure(const Subject& subject, int fewer)
 {
-  std::size_t points = 0;
-  for (const Scan& scan : subject.scans) points += scan.points.size();
-  const auto scans = static_cast<double>(subject.scans.size()), all = static_cast<double>(points);
-  const double octoMap = insertIntoOctoMap(subject.scans, std::max(1, 2 / fewer));
+  const int rounds = std::max(1, 100 / fewer);
+  const double octoMap = bestOf(std::max(1, subject.baselineRounds / fewer),
+                                [&] { insertIntoOctoMap(subject.scans); });
+  const auto scans = static_cast<double>(subject.scans.size());
   std::printf("%s: %.0f scans of %.0f points; COctoMap %.1f ms a scan\n", subject.name.c_str(),
-              scans, all / scans, 1e3 * octoMap / scans);
+              scans, subject.points() / scans, 1e3 * octoMap / scans);
   for (const bool closest : {false, true})
     for (const bool filter : {true, false})
     {
@@ -145,15 +179,16 @@ void measure(const Subject& subject, int fewer)
       params.model = closest ? scan::Model::ClosestPoint : scan::Model::WholeShape;
       params.reflectionFilter = filter;
       Grid grid;
-      const double time = bestOf(std::max(1, 60 / fewer),
+      const double time = bestOf(rounds,
                                  [&]
                                  {
                                    for (const Scan& scan : subject.scans) grid.insert(scan, params);
                                  });
-      std::printf("  %-13s %-11s %6.3f ms a scan, %6.1f million points/s, COctoMap/ours %5.0f\n",
-                  closest ? "closest point" : "whole shape", filter ? "with cut" : "without cut",
-                  1e3 * time / scans, all / time / 1e6, octoMap / time);
+      report(std::string(closest ? "closest point" : "whole shape") +
+                 (filter ? ", with the cut" : ", without"),
+             subject, time, octoMap);
     }
+  report("the class, with the cut", subject, insertIntoClass(subject, rounds), octoMap);
 }
 }  // namespace
 
@@ -165,7 +200,7 @@ int main(int argc, char** argv)
     scan::ProfileParams office;
     office.structureMinZ = 2.3;
     office.structureMaxZ = 2.6;
-    measure({"office", officeScans(std::max(1, 16 / fewer)), office}, fewer);
+    measure({"office", officeScans(std::max(1, 16 / fewer)), office, 2}, fewer);
     const std::string log = std::string(MRPT_MAPCONV_SHARED_DIR) + "/vlp16_3scans.rawlog";
     if (!std::filesystem::exists(log))
     {
@@ -176,7 +211,7 @@ int main(int argc, char** argv)
     velodyne.objectMaxZ = 2;
     velodyne.structureMinZ = 2;
     velodyne.structureMaxZ = 3;
-    measure({"VLP-16", velodyneScans(log), velodyne}, fewer);
+    measure({"VLP-16", velodyneScans(log), velodyne, 20}, fewer);
   }
   catch (const std::exception& error)
   {

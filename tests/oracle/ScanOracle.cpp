@@ -192,6 +192,9 @@ void ScanOracle::addCellsOffTheLines(const CellKeys& crossed, ScanCells& result)
   }
 }
 
+/** A cosine or sine that is 0 where the azimuth, rounded, is a right angle. */
+static long double exactly(long double ratio) { return std::abs(ratio) < 1e-15L ? 0 : ratio; }
+
 ScanCells ScanOracle::profile() const
 {
   ScanCells result;
@@ -200,7 +203,7 @@ ScanCells ScanOracle::profile() const
   for (int i = 0; i < m_lines; ++i)
   {
     const long double azimuth = 2 * kPi * i / m_lines;
-    const Line found = line(std::cos(azimuth), std::sin(azimuth), result);
+    const Line found = line(exactly(std::cos(azimuth)), exactly(std::sin(azimuth)), result);
     result.linesWithWall += std::isfinite(found.wall) ? 1 : 0;
     crossed.insert(found.cells.begin(), found.cells.end());
     if (m_params.model == scan::Model::WholeShape)

@@ -66,7 +66,7 @@ std::string difference(const CellKeys& ours, const CellKeys& expected, const Ran
 struct Seen
 {
   int scans = 0, ties = 0;
-  std::size_t occupied = 0, free = 0, cut = 0, offLines = 0;
+  std::size_t occupied = 0, free = 0, cut = 0;
   int linesWithWall = 0, linesWithout = 0;
 };
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <sstream>
 #include <utility>
 
 #include "BitRow.h"
@@ -28,8 +29,12 @@ void checkResolution(double resolution, const ProfileParams& params)
   constexpr double kMostCells = 10000;  // of maxRange: rasters then have 50 MB each
   grid::require(std::isfinite(resolution) && resolution > 0, "resolution", resolution,
                 "a cell size > 0 m");
-  grid::require(params.maxRange <= kMostCells * resolution, "maxRange", params.maxRange,
-                "at most 10000 cells long");
+  if (params.maxRange <= kMostCells * resolution) return;
+  std::ostringstream message;
+  message << "maxRange = " << params.maxRange << " is not valid: with resolution = " << resolution
+          << " m it must be at most " << kMostCells * resolution << " m (" << kMostCells
+          << " cells)";
+  throw std::invalid_argument(message.str());
 }
 
 double gapOf(const ProfileParams& params, double azimuthStep)
@@ -165,11 +170,12 @@ void ScanProfile::Workspace::lowerFarWalls(const StructurePoint& point, double a
   const double distanceSq = place.distanceSq(point.cell.x, point.cell.y);
   constexpr double kNarrow = 4;  // cells; enough for lines through any of the cell's corners
   if (structureGap * structureGap * distanceSq >= kNarrow * kNarrow) return;  // near the point
-  double low = 0, high = 0;  // of the cell's corners, from the point's azimuth
+  constexpr double kInside = 1 - 1e-9;  // a cell's upper borders belong to the next one
+  double low = 0, high = 0;             // of the cell's corners, from the point's azimuth
   for (int corner = 0; corner < 4; ++corner)
   {
-    const double dx = point.cell.x + corner % 2 - place.fx,
-                 dy = point.cell.y + corner / 2 - place.fy;
+    const double dx = point.cell.x + kInside * (corner % 2) - place.fx,
+                 dy = point.cell.y + kInside * (corner / 2) - place.fy;
     const double turn = std::remainder(std::atan2(dy, dx) - azimuth, 2 * kPi);
     low = std::min(low, turn);
     high = std::max(high, turn);

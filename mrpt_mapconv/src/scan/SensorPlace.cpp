@@ -14,14 +14,14 @@ constexpr double kFarthest = 1e9;  // cells from the origin, so that keys stay w
 
 void checkHeight(double height, const ProfileParams& params)
 {
-  const bool filter = params.reflectionFilter;
-  const double low = filter ? std::min(params.objectMinZ, params.structureMinZ) : params.objectMinZ;
-  const double high =
-      filter ? std::max(params.objectMaxZ, params.structureMaxZ) : params.objectMaxZ;
+  // whether the structure slice is made use of or not; fmin and fmax pass over what is not set
+  const double low = std::fmin(params.objectMinZ, params.structureMinZ);
+  const double high = std::fmax(params.objectMaxZ, params.structureMaxZ);
   if (height >= low && height <= high) return;
   std::ostringstream message;
   message << "the sensor is " << height << " m above the robot's base, outside the slices (" << low
-          << " to " << high << " m): is its pose on the robot right?";
+          << " to " << high
+          << " m): is its pose on the robot right? If so, objectMinZ and objectMaxZ are not";
   throw UnusableScan(message.str());
 }
 

@@ -23,20 +23,18 @@ constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 using Cells = std::vector<std::int8_t>;
 
 // The paper's profile has probabilities 0 and 1; these stand in for them by measurement.
-TEST(LogOddsUpdate, DefaultUnitsFreeAnyCellInTenScansButNotInNine)
+TEST(LogOddsUpdate, DefaultUnits)
 {
   const UpdateParams params;
-  EXPECT_EQ(params.pHit, 0.9);
-  EXPECT_EQ(params.pMiss, 0.4);
+  EXPECT_EQ(params.pHit, 0.7);
+  EXPECT_EQ(params.pMiss, 0.45);
   EXPECT_EQ(params.pMin, 0.03);
   EXPECT_EQ(params.pMax, 0.97);
   const LogOddsUpdate update;
-  EXPECT_EQ(update.hit(), 35);
-  EXPECT_EQ(update.miss(), 6);
+  EXPECT_EQ(update.hit(), 14);
+  EXPECT_EQ(update.miss(), 3);
   EXPECT_EQ(update.lowest(), -55);
   EXPECT_EQ(update.highest(), 55);
-  EXPECT_GT(update.lowest() + 10 * update.miss(), 0);
-  EXPECT_LE(update.lowest() + 9 * update.miss(), 0);
 }
 
 LogOddsUpdate updateOf(double pHit, double pMiss, double pMin = 0.03, double pMax = 0.97)
@@ -45,6 +43,8 @@ LogOddsUpdate updateOf(double pHit, double pMiss, double pMin = 0.03, double pMa
   params.pHit = pHit, params.pMiss = pMiss, params.pMin = pMin, params.pMax = pMax;
   return LogOddsUpdate(params);
 }
+
+const LogOddsUpdate kTypical = updateOf(0.9, 0.35);  // 35 and 10 units
 
 TEST(LogOddsUpdate, UnitsAreRoundedAlikeOnBothSides)
 {
@@ -99,29 +99,29 @@ Cells updated(const LogOddsUpdate& update, Cells cells)
 
 TEST(LogOddsUpdate, RaisesFreeCellsAndLowersOccupiedOnes)
 {
-  EXPECT_EQ(updated(LogOddsUpdate(), {0, 20, 0}), (Cells{6, 26, -35}));
+  EXPECT_EQ(updated(kTypical, {0, 20, 0}), (Cells{10, 30, -35}));
   EXPECT_EQ(updated(updateOf(0.6, 0.2), {-50, 5, 7}), (Cells{-28, 27, 1}));
 }
 
 TEST(LogOddsUpdate, KeepsCellsWithinTheLimits)
 {
-  EXPECT_EQ(updated(LogOddsUpdate(), {49, 50, -20}), (Cells{55, 55, -55}));
-  EXPECT_EQ(updated(LogOddsUpdate(), {55, 54, -21}), (Cells{55, 55, -55}));
-  EXPECT_EQ(updated(LogOddsUpdate(), {55, 55, -55}), (Cells{55, 55, -55}));
+  EXPECT_EQ(updated(kTypical, {45, 46, -20}), (Cells{55, 55, -55}));
+  EXPECT_EQ(updated(kTypical, {55, 54, -21}), (Cells{55, 55, -55}));
+  EXPECT_EQ(updated(kTypical, {55, 55, -55}), (Cells{55, 55, -55}));
 }
 
 TEST(LogOddsUpdate, CellsBeyondTheLimitsAreNotPulledBack)
 {
   // by no update away from the middle …
-  EXPECT_EQ(updated(LogOddsUpdate(), {56, 100, -70}), (Cells{56, 100, -70}));
+  EXPECT_EQ(updated(kTypical, {56, 100, -70}), (Cells{56, 100, -70}));
   // … and by one towards it only as far as that goes
-  EXPECT_EQ(updated(LogOddsUpdate(), {-100, -60, 120}), (Cells{-94, -54, 85}));
+  EXPECT_EQ(updated(kTypical, {-100, -60, 120}), (Cells{-90, -50, 85}));
 }
 
 TEST(LogOddsUpdate, RawCellsAtTheLimitsOfTheirTypeDoNotWrap)
 {
-  EXPECT_EQ(updated(LogOddsUpdate(), {127, 127, -128}), (Cells{127, 127, -128}));
-  EXPECT_EQ(updated(LogOddsUpdate(), {-128, -127, 127}), (Cells{-122, -121, 92}));
+  EXPECT_EQ(updated(kTypical, {127, 127, -128}), (Cells{127, 127, -128}));
+  EXPECT_EQ(updated(kTypical, {-128, -127, 127}), (Cells{-118, -117, 92}));
   const LogOddsUpdate strong = updateOf(0.999, 0.001, 0.0005, 0.9995);  // 111 units
   EXPECT_EQ(updated(strong, {127, 30, -30}), (Cells{127, 121, -121}));
   EXPECT_EQ(updated(strong, {-128, -128, 127}), (Cells{-17, -17, 16}));
@@ -131,9 +131,9 @@ TEST(LogOddsUpdate, ChangesNoOtherCells)
 {
   // the profile's cells are (0, 0) … (2, 0); the grid begins at (-2, -1) and is 6 x 3
   Cells cells(18, 5);
-  LogOddsUpdate().apply(threeCells(), {1.0, -2, -1, 6, 3}, cells.data());
+  kTypical.apply(threeCells(), {1.0, -2, -1, 6, 3}, cells.data());
   EXPECT_EQ(cells, (Cells{5, 5, 5, 5, 5, 5,      //
-                          5, 5, 11, 11, -30, 5,  //
+                          5, 5, 15, 15, -30, 5,  //
                           5, 5, 5, 5, 5, 5}));
 }
 
@@ -147,11 +147,11 @@ TEST(LogOddsUpdate, WideProfilesAreAppliedWhole)
     scan.params.maxRange = 200;
     scan.params.reflectionFilter = false;
     Cells cells(static_cast<std::size_t>(shift) + 160, 0);
-    LogOddsUpdate().apply(scan.compute(), {1.0, -shift, 0, shift + 160, 1}, cells.data());
+    kTypical.apply(scan.compute(), {1.0, -shift, 0, shift + 160, 1}, cells.data());
     for (int kx = -shift; kx < 160; ++kx)
       ASSERT_EQ(cells[static_cast<std::size_t>(kx + shift)], kx < 0 || kx > 151 ? 0
                                                              : kx == 151        ? -35
-                                                                                : 6)
+                                                                                : 10)
           << "cell " << kx << ", shift " << shift;
   }
 }
@@ -163,7 +163,7 @@ TEST(LogOddsUpdate, FrameThatDoesNotHoldTheProfileIsRefused)
         grid::GridFrame{1.0, 0, 1, 3, 3}, grid::GridFrame{1.0, -3, -3, 10, 3}, grid::GridFrame{}})
   {
     Cells cells(frame.size(), 5);
-    EXPECT_THROW(LogOddsUpdate().apply(threeCells(), frame, cells.data()), std::invalid_argument)
+    EXPECT_THROW(kTypical.apply(threeCells(), frame, cells.data()), std::invalid_argument)
         << frame.x0 << ", " << frame.y0 << ", " << frame.width << "x" << frame.height;
     EXPECT_EQ(cells, Cells(frame.size(), 5)) << "nothing may have changed";
   }
@@ -173,9 +173,9 @@ TEST(LogOddsUpdate, ScanThatSaysNothingFitsAnyFrame)
 {
   const scan::ScanProfile nothing = HandScan({"S.."}).compute();
   Cells cells(4, 5);
-  LogOddsUpdate().apply(nothing, {1.0, 100, 100, 2, 2}, cells.data());
+  kTypical.apply(nothing, {1.0, 100, 100, 2, 2}, cells.data());
   EXPECT_EQ(cells, Cells(4, 5));
-  EXPECT_NO_THROW(LogOddsUpdate().apply(nothing, {}, nullptr));
+  EXPECT_NO_THROW(kTypical.apply(nothing, {}, nullptr));
 }
 
 struct BadValue

@@ -177,6 +177,17 @@ TEST(ScanProfile, FirstLinePointsAlongX)
                                      "#???#"}));
 }
 
+TEST(ScanProfile, ALineThroughCornersFirstGoesAlongTheAxisClockwiseOfIt)
+{
+  HandScan scan({"o...o", ".....", "..S..", ".....", "o...o"});
+  scan.params.sectors = 8;
+  EXPECT_EQ(scan.profile(), (Drawing{"#.??#",  //
+                                     "?....",  //
+                                     "?...?",  //
+                                     "....?",  //
+                                     "#??.#"}));
+}
+
 TEST(ScanProfile, LinesAreEvenlySpaced)
 {
   // at 0, 120 and 240 degrees

@@ -97,12 +97,24 @@ TEST(ScanProfileInput, PointsAtTheSensorAreTooNear)
   EXPECT_EQ(knownCells(profile), 0u);
 }
 
+TEST(ScanProfileInput, APointAtTheSensorIsNoWallEither)
+{
+  HandScan scan({"S..o"});
+  scan.sensor(0.5, 0.5, HandScan::kStructureHeight);  // within the structure slice
+  scan.point(0.5, 0.5, HandScan::kStructureHeight);
+  EXPECT_EQ(scan.row(), "...#");
+  scan.point(0.5, 0.5, HandScan::kStructureHeight + 0.125);  // what is above it is one
+  EXPECT_EQ(scan.row(), "????");
+}
+
 TEST(ScanProfileInput, SensorOutsideTheSlicesIsRefused)
 {
   const auto compute = [](double z, bool filter)
   {
     HandScan scan({"S..o"});
     scan.params.reflectionFilter = filter;
+    if (!filter)
+      scan.params.structureMinZ = scan.params.structureMaxZ = scan::ProfileParams::kUnset;
     scan.view.baseZ = 1;
     scan.sensor(0.5, 0.5, 1 + z).compute();
   };
@@ -117,11 +129,13 @@ TEST(ScanProfileInput, SensorOutsideTheSlicesIsRefused)
   EXPECT_EQ(message.find('\n'), std::string::npos) << message;
 }
 
-TEST(ScanProfileInput, SensorBetweenTheSlicesIsGood)
+TEST(ScanProfileInput, SensorBetweenTheSlicesIsGoodWhetherTheFilterIsOnOrOff)
 {
   // objects end at 1.5 m, the structure begins at 2.25 m
   HandScan scan({"S..o"});
   EXPECT_EQ(scan.sensor(0.5, 0.5, 2).row(), "...#");
+  scan.params.reflectionFilter = false;
+  EXPECT_EQ(scan.row(), "...#");
 }
 
 TEST(ScanProfileInput, PoseThatIsNotFiniteIsRefused)
