@@ -129,17 +129,17 @@ LineWalk::LineWalk(const SensorPlace& place, Model model, double tolerance, Rast
   m_ends.resize(static_cast<std::size_t>(rows.object.frame().width));
 }
 
-double LineWalk::validSq(double wallSq) const
+double LineWalk::validUpTo(double wallSq) const
 {
   constexpr double kSlack = 1e-9;  // cells; so that a tolerance of a whole number of cells holds
-  const double farthest = std::sqrt(wallSq) + m_tolerance + kSlack;
-  return farthest * farthest;
+  return std::sqrt(wallSq) + m_tolerance + kSlack;
 }
 
 /** What has been found on a line so far. */
 struct LineWalk::Findings
 {
   double& wallSq;
+  double valid;  //!< distance up to which O-cells are valid [cells]
   bool wallCrossed = false;
   std::int32_t lastRow = -1, lastCell = -1;  //!< of the last valid O-cell
 };
@@ -148,9 +148,8 @@ void LineWalk::walk(const Line& line, double reach, double& wallSq)
 {
   const Path path(line, m_place, line.alongY ? m_columns : m_rows);
   const CellBits& any = path.rasters().any;
-  Findings found{wallSq};
-  const double valid = std::sqrt(validSq(wallSq));
-  const std::int32_t rows = path.rowsWithin(std::min(reach, valid));
+  Findings found{wallSq, validUpTo(wallSq)};
+  const std::int32_t rows = path.rowsWithin(std::min(reach, found.valid));
   std::int32_t first = 0;
   for (std::int32_t minor = 0; minor <= rows; ++minor)
   {
@@ -179,9 +178,10 @@ bool LineWalk::look(const Path& path, std::int32_t minor, std::int32_t first, st
     {
       found.wallCrossed = true;
       found.wallSq = std::min(found.wallSq, path.distanceSq(wall, minor));
+      found.valid = validUpTo(found.wallSq);
     }
 
-  const auto isValid = [this, limitSq = validSq(found.wallSq)](double distanceSq)
+  const auto isValid = [limitSq = found.valid * found.valid](double distanceSq)
   { return distanceSq <= limitSq; };
   const std::int32_t lastValid = path.lastWhere(first, last, minor, isValid);
   if (lastValid < first) return false;

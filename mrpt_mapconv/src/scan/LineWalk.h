@@ -34,13 +34,17 @@ class LineWalk
    * are not farther than `reach` [cells]; infinite without one. */
   double crossedWallSq(const Line& line, double reach) const;
   /** True if an O-cell at this distance is valid on a line with this wall. */
-  bool isValid(double distanceSq, double wallSq) const { return distanceSq <= validSq(wallSq); }
+  bool isValid(double distanceSq, double wallSq) const
+  {
+    const double limit = validUpTo(wallSq);
+    return distanceSq <= limit * limit;
+  }
 
  private:
   class Path;
   struct Findings;
 
-  double validSq(double wallSq) const;
+  double validUpTo(double wallSq) const;
   bool look(const Path& path, std::int32_t minor, std::int32_t first, std::int32_t last,
             Findings& found);
   void fillFree(const Path& path, const Findings& found);

@@ -157,10 +157,11 @@ void ScanProfile::Workspace::lowerWalls(double fromAzimuth, double toAzimuth, do
   const auto first = static_cast<std::int32_t>(std::ceil(fromAzimuth / step));
   const auto last =
       std::min(static_cast<std::int32_t>(std::floor(toAzimuth / step)), first + lines - 1);
-  for (std::int32_t line = first; line <= last; ++line)
+  auto line = static_cast<std::size_t>((first + lines) % lines);
+  for (std::int32_t left = last - first + 1; left > 0; --left)
   {
-    double& wallSq = wallsSq[static_cast<std::size_t>((line + lines) % lines)];
-    wallSq = std::min(wallSq, distanceSq);
+    wallsSq[line] = std::min(wallsSq[line], distanceSq);
+    if (++line == wallsSq.size()) line = 0;
   }
 }
 
