@@ -110,8 +110,8 @@ void warnOf2D(const InsertionFigures& figures)
   if (figures.scans2D == 0) return;
   printWarning(std::to_string(figures.scans2D) +
                " 2D scans were inserted as well: they free cells whose objects lie above or below "
-               "them, and nothing cuts their reflections; insert2D = false in section [insertion] "
-               "of an ini file leaves them out");
+               "them, and nothing cuts their reflections; --no-2d (or insert2D = false in section "
+               "[insertion] of an ini file) leaves them out");
 }
 
 /** As MRPT's own class, which its programs read without this library; with the map's own cells. */
@@ -143,42 +143,45 @@ void writeOutputs(const Result& map, const ScanInserter& inserter, const std::st
   writeGrid(out.path("map.gridmap"), inserter.map(), map.occupancy);
   grid::writeRosMap(out.path("map.pgm"), out.path("map.yaml"), "map.pgm", map.occupancy);
   grid::writeLayerPng(out.path("map.png"), map.occupancy,
-                      styleOf(inserter.map().scanInsertionOptions.profile));
+                      styleOf(inserter.settings().insertion.profile));
   interruptible.commit();
 }
 
 std::string textSummary(const Job& job, const Result& map, const ScanInserter& inserter,
                         const Seconds& seconds)
 {
-  const auto& params = inserter.map().scanInsertionOptions.profile;
+  const auto& params = inserter.settings().insertion.profile;
   const InsertionFigures& figures = inserter.figures();
   std::string text = headText(job, map.occupancy.frame());
   text += countsText("map", countsOf(map.occupancy));
   text += "model        " + settingsText(params) + "\n";
+  const std::string changed = changedText(inserter.settings());
+  if (!changed.empty()) text += "not default  " + changed + "\n";
   text += mrpt::format("inserted     %zu 3D scans with %zu points, %zu 2D scans\n", figures.scans3D,
                        figures.points, figures.scans2D);
   if (figures.skips() > 0) text += "skipped      " + skippedText(figures) + "\n";
   if (params.reflectionFilter)
     text += mrpt::format("walls        on %.1f %% of the azimuths, mean of the 3D scans\n",
                          100 * figures.meanWallShare());
-  text += mrpt::format("speed        %.1f 3D scans/s, %.2f million points/s of insertion alone\n",
-                       figures.scansPerSecond(), 1e-6 * figures.pointsPerSecond());
+  text += mrpt::format(
+      "speed        %.1f 3D scans/s, %.2f million points/s of insertion, decoding included\n",
+      figures.scansPerSecond(), 1e-6 * figures.pointsPerSecond());
   return text + secondsText(seconds);
 }
 
 std::string jsonSummary(const Job& job, const Result& map, const ScanInserter& inserter,
                         const Seconds& seconds)
 {
-  const auto& params = inserter.map().scanInsertionOptions.profile;
   const InsertionFigures& figures = inserter.figures();
   JsonObject why;
   for (const auto& [kind, skipped] : figures.skipped) why.add(skipped.why, skipped.count);
   JsonObject json = summaryJson(job, map.occupancy.frame(), countsOf(map.occupancy));
-  json.add("parameters", settingsJson(params));
+  json.add("parameters", settingsJson(inserter.settings()));
   json.add("scans3D", figures.scans3D).add("scans2D", figures.scans2D);
   json.add("skipped", figures.skips()).add("skippedBecause", why).add("points", figures.points);
   // null: walls were not looked for
-  json.add("shareWithWall", params.reflectionFilter ? figures.meanWallShare() : NAN);
+  const bool filter = inserter.settings().insertion.profile.reflectionFilter;
+  json.add("shareWithWall", filter ? figures.meanWallShare() : NAN);
   json.add("scansPerSecond", figures.scansPerSecond());
   json.add("pointsPerSecond", figures.pointsPerSecond());
   return json.add("seconds", secondsJson(seconds)).text() + "\n";
@@ -252,7 +255,7 @@ void addMethodOptions(CLI::App& app, ScanFlags& flags)
       ->type_name("M");
   app.add_option("--model", flags.model,
                  "wholeShape (all objects on an azimuth, the default) or closestPoint")
-      ->check(CLI::IsMember({"wholeShape", "closestPoint"}))
+      ->check(CLI::IsMember(maps::modelNames()))
       ->type_name("MODEL");
   app.add_flag("--no-reflection-filter", flags.noReflectionFilter,
                "keep what is seen behind walls and in glass");
@@ -260,8 +263,10 @@ void addMethodOptions(CLI::App& app, ScanFlags& flags)
                  "heights just under the ceiling, where only walls are [m]; the reflection filter "
                  "needs them")
       ->type_size(2)
+      ->expected(1)  // else a vector takes all that follows, and INPUT with it
       ->check(isFinite())
       ->type_name("MIN MAX");
+  app.add_flag("--no-2d", flags.no2D, "leave out 2D scans of the log");
 }
 
 }  // namespace
@@ -284,8 +289,8 @@ std::pair<CLI::App*, Command> addInsert(CLI::App& app)
       "  mapconv insert office.rawlog -o map --structure 2.2 2.6\n"
       "  mapconv insert office.simplemap -o map -c config/scan-insertion.ini --model closestPoint\n"
       "Heights are those above the robot's base. DIR gets map.gridmap, .pgm, .yaml, .png and .tif\n"
-      "(probability of occupancy). 2D scans of the log are inserted as well unless the ini file\n"
-      "says insert2D = false.");
+      "(probability of occupancy). 2D scans of the log are inserted as well, unless --no-2d is\n"
+      "given or the ini file says insert2D = false.");
   return {sub, [options] { return insert(*options); }};
 }
 

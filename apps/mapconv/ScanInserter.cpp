@@ -2,8 +2,9 @@
 
 #include <mrpt_mapconv/maps/ObservationPoints.h>
 
+#include <algorithm>
+#include <cctype>
 #include <numeric>
-#include <utility>
 
 #include "Console.h"
 #include "Progress.h"
@@ -15,30 +16,12 @@ using maps::PosedObservation;
 
 namespace
 {
-std::pair<Skip, std::string> skipOf2D(bool wanted)
+/** What a reason says whatever the scan's figures are. */
+std::string withoutNumbers(std::string why)
 {
-  if (wanted) return {Skip::Refused2D, "a 2D scan that is empty or not level"};
-  return {Skip::NotWanted2D, "a 2D scan, and insert2D = false"};
-}
-
-/** Asks again what the map, which only says that it took nothing, has asked. */
-std::pair<Skip, std::string> skipOf(const PosedObservation& scan, const CScanShapeGridMap2D& map)
-{
-  const auto& options = map.scanInsertionOptions;
-  if (!maps::is3DScan(*scan.observation)) return skipOf2D(options.insert2D);
-  const auto seen = maps::sensorPoints(*scan.observation, scan.robotPose);
-  if (!seen || seen->points.empty()) return {Skip::NoPoints, "no usable point"};
-  try
-  {
-    scan::ScanProfile().compute(seen->points,
-                                {seen->sensorPose, scan.robotPose.z(), seen->azimuthStep},
-                                map.frame().resolution, options.profile);
-  }
-  catch (const scan::UnusableScan& error)
-  {
-    return {Skip::Unusable, error.what()};
-  }
-  return {Skip::NothingValid, "no object between objectMinZ and objectMaxZ in range"};
+  const auto isOfNumber = [](unsigned char c) { return std::isdigit(c) || c == '.' || c == '-'; };
+  why.erase(std::remove_if(why.begin(), why.end(), isOfNumber), why.end());
+  return why;
 }
 
 double perSecond(std::size_t count, double seconds)
@@ -61,7 +44,8 @@ double InsertionFigures::meanWallShare() const
   return scans3D > 0 ? wallShares / static_cast<double>(scans3D) : 0;
 }
 
-ScanInserter::ScanInserter(const ScanSettings& settings) : m_map(settings.resolution)
+ScanInserter::ScanInserter(const ScanSettings& settings)
+    : m_settings(settings), m_map(settings.resolution)
 {
   m_map.maxGridCells = settings.maxGridCells;
   m_map.scanInsertionOptions = settings.insertion;
@@ -77,7 +61,7 @@ void ScanInserter::insert(const PosedObservation& scan)
   if (inserted)
     count(*scan.observation, seconds);
   else
-    countSkip(scan);
+    countSkip(m_map.lastSkip());
 }
 
 void ScanInserter::count(const mrpt::obs::CObservation& obs, double seconds)
@@ -93,11 +77,10 @@ void ScanInserter::count(const mrpt::obs::CObservation& obs, double seconds)
   m_figures.wallShares += m_map.lastScan().shareWithWall();
 }
 
-void ScanInserter::countSkip(const PosedObservation& scan)
+void ScanInserter::countSkip(const std::string& why)
 {
-  auto [kind, why] = skipOf(scan, m_map);
-  auto& skipped = m_figures.skipped[kind];
-  if (skipped.count++ == 0) skipped.why = std::move(why);
+  auto& skipped = m_figures.skipped[withoutNumbers(why)];
+  if (skipped.count++ == 0) skipped.why = why;
 }
 
 }  // namespace mapconv

@@ -3,6 +3,7 @@
 #include <mrpt_mapconv/maps/CScanShapeGridMap2D.h>
 #include <mrpt_mapconv/maps/ScanLog.h>
 
+#include <cstddef>
 #include <map>
 #include <string>
 
@@ -10,16 +11,6 @@
 
 namespace mapconv
 {
-/** Why a scan has left the map as it was. */
-enum class Skip
-{
-  NotWanted2D,   //!< insert2D = false
-  Refused2D,     //!< MRPT's own grid does not take it
-  NoPoints,      //!< none that is usable
-  Unusable,      //!< see scan::UnusableScan
-  NothingValid,  //!< no point of an object in range and before a wall
-};
-
 /** What became of a series of scans. */
 struct InsertionFigures
 {
@@ -31,9 +22,10 @@ struct InsertionFigures
 
   std::size_t scans3D = 0, scans2D = 0;  //!< that were inserted
   std::size_t points = 0;                //!< of scans3D
-  double seconds3D = 0;                  //!< that inserting scans3D took [s]
+  double seconds3D = 0;                  //!< that inserting scans3D took, decoding included [s]
   double wallShares = 0;                 //!< sum over scans3D
-  std::map<Skip, Skipped> skipped;
+  /** By the map's reason without its numbers: scans from many heights are one kind. */
+  std::map<std::string, Skipped> skipped;
 
   std::size_t skips() const;
   double scansPerSecond() const;
@@ -52,12 +44,14 @@ class ScanInserter
   void insert(const mrpt_mapconv::maps::PosedObservation& scan);
 
   const mrpt_mapconv::CScanShapeGridMap2D& map() const { return m_map; }
+  const ScanSettings& settings() const { return m_settings; }
   const InsertionFigures& figures() const { return m_figures; }
 
  private:
   void count(const mrpt::obs::CObservation& obs, double seconds);
-  void countSkip(const mrpt_mapconv::maps::PosedObservation& scan);
+  void countSkip(const std::string& why);
 
+  ScanSettings m_settings;
   mrpt_mapconv::CScanShapeGridMap2D m_map;
   InsertionFigures m_figures;
 };

@@ -63,6 +63,38 @@ std::string runText(const ScanShapeRun& run)
       100 * run.shareWithWall);
 }
 
+/** \exception std::runtime_error naming section and key of a rectangle that holds no place to be */
+void checkRegions(const ExperimentJob& job, const sim::World& world, const ScanShapeResult& result)
+{
+  const auto check = [&](const MapRegion& region, const std::string& key, const auto& rectangle)
+  {
+    if (!isPlaceIn(rectangle, world, result.truth))
+      failRegion(job, region, key, "a rectangle within the world's bounds with a truly free cell");
+  };
+  for (const MapRegion& region : result.settings.regions)
+  {
+    check(region, "area", region.area);
+    check(region, "room", region.room);
+  }
+}
+
+/** One run for each seed. \param name of these drives, for who waits for them */
+std::vector<ScanShapeRun> drives(const ExperimentJob& job, const sim::Scenario& scenario,
+                                 const ScanShapeResult& result, const std::string& name,
+                                 const std::vector<std::uint32_t>& seeds, bool withSweep)
+{
+  std::vector<ScanShapeRun> runs;
+  for (const std::uint32_t seed : seeds)
+  {
+    job.progress.stage(name + ", " + std::to_string(runs.size() + 1) + " of " +
+                       std::to_string(seeds.size()));
+    runs.push_back(
+        driveThrough(scenario, result.truth, result.settings, seed, withSweep, job.progress));
+    if (withSweep || runs.size() > 1) runs.back().maps = {};
+  }
+  return runs;
+}
+
 ScanShapeResult computed(const ExperimentJob& job)
 {
   ScanShapeResult result;
@@ -72,15 +104,11 @@ ScanShapeResult computed(const ExperimentJob& job)
   checkSensors(scenario, result.settings.world);
   job.progress.stage("computing the truth");
   result.truth = truthOf(scenario, result.settings);
-  for (std::size_t i = 0; i < result.settings.seeds.size(); ++i)
-  {
-    job.progress.stage("driving, " + std::to_string(i + 1) + " of " +
-                       std::to_string(result.settings.seeds.size()));
-    const bool withSweep = i < static_cast<std::size_t>(result.settings.sweep.seeds);
-    result.runs.push_back(driveThrough(scenario, result.truth, result.settings,
-                                       result.settings.seeds[i], withSweep, job.progress));
-    if (i > 0) result.runs.back().maps = {};
-  }
+  checkRegions(job, scenario.world, result);
+  const ScanShapeSettings& settings = result.settings;
+  result.runs = drives(job, scenario, result, "driving", settings.seeds, false);
+  result.sweepRuns =
+      drives(job, scenario, result, "driving for the sweep", settings.sweep.seeds, true);
   return result;
 }
 }  // namespace

@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <limits>
-#include <stdexcept>
 
 namespace mapconv
 {
@@ -30,8 +29,6 @@ void DriveHistory::add(const sim::Scan& seen, const PosedScan& scan,
 void DriveHistory::addReturns(const sim::Scan& seen, const PosedScan& scan)
 {
   const auto& points = scan.points.points;
-  if (points.size() != seen.bodies.size())
-    throw std::logic_error("a scan has points that the simulator does not know");
   const grid::GridFrame& frame = m_cells.frame();
   for (std::size_t i = 0; i < points.size(); ++i)
   {

@@ -29,7 +29,7 @@ class DriveHistory
   DriveHistory(const mrpt_mapconv::grid::GridFrame& frame, const mrpt_mapconv::sim::World& world,
                const mrpt_mapconv::scan::ProfileParams& params);
 
-  /** \param seen what the points of `scan` come from
+  /** \param seen what the points of `scan` come from, one by one
    * \param profile of the scan */
   void add(const mrpt_mapconv::sim::Scan& seen, const PosedScan& scan,
            const mrpt_mapconv::scan::ScanProfile& profile);

@@ -21,27 +21,35 @@ float labelOf(std::int8_t cell)
 }
 }  // namespace
 
+UpdatedGrid::UpdatedGrid(const grid::GridFrame& frame, const scan::UpdateParams& update)
+    : m_update(update), m_cells(frame, 0)
+{
+}
+
+void UpdatedGrid::add(const scan::ScanProfile& profile)
+{
+  m_update.apply(profile, m_cells.frame(), m_cells.cells().data());
+}
+
+grid::Layer<float> UpdatedGrid::labels() const
+{
+  grid::Layer<float> labels(m_cells.frame(), grid::kUnknown);
+  const auto& cells = m_cells.cells();
+  std::transform(cells.begin(), cells.end(), labels.cells().begin(), labelOf);
+  return labels;
+}
+
 ProfileGrids::ProfileGrids(const grid::GridFrame& frame, const scan::ProfileParams& profile,
                            const std::vector<scan::UpdateParams>& updates)
-    : m_params(profile),
-      m_updates(updates.begin(), updates.end()),
-      m_grids(updates.size(), grid::Layer<std::int8_t>(frame, 0))
+    : m_params(profile)
 {
+  for (const scan::UpdateParams& update : updates) m_grids.emplace_back(frame, update);
 }
 
 void ProfileGrids::insert(const PosedScan& scan)
 {
   m_profile.compute(scan.points.points, scan.view, m_grids.front().frame().resolution, m_params);
-  for (std::size_t i = 0; i < m_grids.size(); ++i)
-    m_updates[i].apply(m_profile, m_grids[i].frame(), m_grids[i].cells().data());
-}
-
-grid::Layer<float> ProfileGrids::labels(std::size_t i) const
-{
-  grid::Layer<float> labels(m_grids[i].frame(), grid::kUnknown);
-  const auto& cells = m_grids[i].cells();
-  std::transform(cells.begin(), cells.end(), labels.cells().begin(), labelOf);
-  return labels;
+  for (UpdatedGrid& grid : m_grids) grid.add(m_profile);
 }
 
 void CountGrid::add(const scan::ScanProfile& profile)

@@ -31,6 +31,23 @@ void forEachCell(const mrpt_mapconv::scan::CellBits& cells,
       if (cells.containsKey(kx, ky)) visit(frame.indexOfKey(kx, ky));
 }
 
+/** A grid of MRPT's cells that profiles of scans update. */
+class UpdatedGrid
+{
+ public:
+  UpdatedGrid(const mrpt_mapconv::grid::GridFrame& frame,
+              const mrpt_mapconv::scan::UpdateParams& update);
+
+  void add(const mrpt_mapconv::scan::ScanProfile& profile);
+  /** 0 where p < 0.5, 1 where p > 0.5, else −1. */
+  mrpt_mapconv::grid::Layer<float> labels() const;
+  const mrpt_mapconv::grid::GridFrame& frame() const { return m_cells.frame(); }
+
+ private:
+  mrpt_mapconv::scan::LogOddsUpdate m_update;
+  mrpt_mapconv::grid::Layer<std::int8_t> m_cells;
+};
+
 /** Grids that are updated with the same profile of each scan, by different increments. */
 class ProfileGrids
 {
@@ -42,14 +59,13 @@ class ProfileGrids
   void insert(const PosedScan& scan);
   /** Of the last scan. */
   const mrpt_mapconv::scan::ScanProfile& profile() const { return m_profile; }
-  /** 0 where p < 0.5, 1 where p > 0.5, else −1. \param i the number of the increments */
-  mrpt_mapconv::grid::Layer<float> labels(std::size_t i = 0) const;
+  /** \param i the number of the increments */
+  mrpt_mapconv::grid::Layer<float> labels(std::size_t i = 0) const { return m_grids[i].labels(); }
 
  private:
   mrpt_mapconv::scan::ProfileParams m_params;
   mrpt_mapconv::scan::ScanProfile m_profile;
-  std::vector<mrpt_mapconv::scan::LogOddsUpdate> m_updates;
-  std::vector<mrpt_mapconv::grid::Layer<std::int8_t>> m_grids;
+  std::vector<UpdatedGrid> m_grids;
 };
 
 /** How often each cell was seen occupied and free, and a map that forgets nothing of that. */
@@ -78,7 +94,7 @@ class ScannerGrid
 
   /** \return false if MRPT refuses it */
   bool insert(const mrpt::obs::CObservation& scan, const mrpt::poses::CPose3D& robotPose);
-  /** As those of ProfileGrids. \exception std::runtime_error if the grid has grown */
+  /** As those of UpdatedGrid. \exception std::runtime_error if the grid has grown */
   mrpt_mapconv::grid::Layer<float> labels() const;
 
  private:

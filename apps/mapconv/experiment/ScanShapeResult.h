@@ -15,7 +15,8 @@ struct ScanShapeResult
 {
   ScanShapeSettings settings;
   ScanShapeTruth truth;
-  std::vector<ScanShapeRun> runs;  //!< one for each seed; only the first one keeps its maps
+  std::vector<ScanShapeRun> runs;       //!< one for each seed; only the first one keeps its maps
+  std::vector<ScanShapeRun> sweepRuns;  //!< likewise of the sweep, without maps
 };
 
 /** How a method is called in the report. */
@@ -43,7 +44,7 @@ std::vector<std::string> joined(std::vector<std::string> a, const std::vector<st
 void addScores(const ScanShapeResult& result, Report& report);
 
 /** With the cut against without it: precision and false obstacles seed by seed, and what lies
- * behind lintels and glass up to the ceiling. */
+ * behind lintels and glass up to the ceiling, on maps of all scans and as seen from outside. */
 void addCut(const ScanShapeResult& result, Report& report);
 
 /** What walking people leave on the map. */

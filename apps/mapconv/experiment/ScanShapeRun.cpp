@@ -1,5 +1,6 @@
 #include "ScanShapeRun.h"
 
+#include <mrpt/core/format.h>
 #include <mrpt_mapconv/sim/Simulator.h>
 #include <mrpt_mapconv/sim/Truth.h>
 
@@ -29,6 +30,34 @@ scan::ProfileParams closestPoint(const scan::ProfileParams& params)
   scan::ProfileParams closest = uncut(params);
   closest.model = scan::Model::ClosestPoint;
   return closest;
+}
+
+/** Complains about an estimate that leads a sensor to where it cannot be. */
+[[noreturn]] void failPose(const std::string& world, double seconds, const std::string& what)
+{
+  throw std::runtime_error(mrpt::format(
+      "%s: section 'noise': posePosition or poseAngle must be smaller, as the pose estimate at "
+      "%.2f s is of no use: %s",
+      world.c_str(), seconds, what.c_str()));
+}
+
+/** What a 3D sensor has seen, as the maps get it. \param[out] scan its memory is kept */
+void takeScan(const sim::Scan& seen, const mrpt::poses::CPose3D& robotPose, PosedScan& scan)
+{
+  if (!maps::sensorPoints(*seen.observation, robotPose, scan.points))
+    throw std::logic_error("a simulated scan has no points");
+  if (scan.points.points.size() != seen.bodies.size())
+    throw std::logic_error("a scan has points that the simulator does not know");
+  scan.view = {scan.points.sensorPose, robotPose.z(), scan.points.azimuthStep};
+}
+
+/** The points of a scan that are where they seem to be. */
+std::vector<mrpt::math::TPoint3Df> realPoints(const sim::Scan& seen, const PosedScan& scan)
+{
+  std::vector<mrpt::math::TPoint3Df> real;
+  for (std::size_t i = 0; i < scan.points.points.size(); ++i)
+    if (!seen.mirrored[i]) real.push_back(scan.points.points[i]);
+  return real;
 }
 
 /** Room for all that is updated by scans that are taken within the world's bounds. */
@@ -96,6 +125,7 @@ class Drive
   Drive(const sim::Scenario& scenario, const ScanShapeSettings& settings, std::uint32_t seed,
         bool withSweep)
       : m_settings(settings),
+        m_world(scenario.world),
         m_frame(frameAround(scenario.world, settings)),
         m_updates(updatesOf(settings, withSweep)),
         m_scanner(m_frame, settings.scanner),
@@ -106,16 +136,21 @@ class Drive
         m_history(m_frame, scenario.world, settings.profile)
   {
     m_run.seed = seed;
+    for (const double margin : settings.margins)
+      m_outside.emplace_back(m_frame, settings.regions, margin, settings.update);
     if (withSweep) m_tried = profilesOf(m_frame, settings);
   }
 
   void insert(const sim::Moment& moment)
   {
     for (const sim::Scan& scan : moment.scans)
+    {
+      checkPlace(scan, moment);
       if (scan.is3D)
-        insert3D(scan, moment.estimatedPose);
+        insert3D(scan, moment);
       else
         insert2D(scan, moment.estimatedPose);
+    }
   }
 
   /** Whether the settings ask for no more scans. */
@@ -141,27 +176,51 @@ class Drive
     return m_run.maps[static_cast<std::size_t>(method)];
   }
 
+  /** All cells that are within range of a sensor in the world have their place in the frame. */
+  void checkPlace(const sim::Scan& scan, const sim::Moment& moment) const
+  {
+    const auto sensor = moment.estimatedPose + mrpt::poses::CPose3D(scan.observation->sensorPose());
+    const sim::Footprint bounds{m_world.min().x, m_world.min().y, m_world.max().x, m_world.max().y};
+    if (!holds(bounds, sensor.x(), sensor.y()))
+      failPose(m_settings.world, moment.seconds,
+               mrpt::format("it places a sensor at (%.2f, %.2f) m, outside the world's bounds",
+                            sensor.x(), sensor.y()));
+  }
+
   void insert2D(const sim::Scan& scan, const mrpt::poses::CPose3D& robotPose)
   {
     ++m_run.scans2D;
     if (!m_scanner.insert(*scan.observation, robotPose)) ++m_run.refused2D;
   }
 
-  void insert3D(const sim::Scan& seen, const mrpt::poses::CPose3D& robotPose)
+  void insert3D(const sim::Scan& seen, const sim::Moment& moment)
   {
-    PosedScan& scan = m_scan;
-    if (!maps::sensorPoints(*seen.observation, robotPose, scan.points))
-      throw std::logic_error("a simulated scan has no points");
-    scan.view = {scan.points.sensorPose, robotPose.z(), scan.points.azimuthStep};
-    m_closest.insert(scan);
-    m_uncut.insert(scan);
-    m_counts.add(m_uncut.profile());
-    m_cut.insert(scan);
-    for (TriedProfile& tried : m_tried) tried.grids.insert(scan);
-    m_history.add(seen, scan, m_cut.profile());
+    takeScan(seen, moment.estimatedPose, m_scan);
+    try
+    {
+      updateMaps(seen);
+    }
+    catch (const scan::UnusableScan& error)
+    {
+      failPose(m_settings.world, moment.seconds, error.what());
+    }
     ++m_run.scans3D;
-    m_run.points += scan.points.points.size();
+    m_run.points += m_scan.points.points.size();
     m_run.shareWithWall += m_cut.profile().statistics().shareWithWall();
+  }
+
+  void updateMaps(const sim::Scan& seen)
+  {
+    m_closest.insert(m_scan);
+    m_uncut.insert(m_scan);
+    m_counts.add(m_uncut.profile());
+    m_cut.insert(m_scan);
+    m_real.compute(realPoints(seen, m_scan), m_scan.view, m_frame.resolution,
+                   uncut(m_settings.profile));
+    for (OutsideMaps& outside : m_outside)
+      outside.add(m_scan.view, {m_real, m_uncut.profile(), m_cut.profile()});
+    for (TriedProfile& tried : m_tried) tried.grids.insert(m_scan);
+    m_history.add(seen, m_scan, m_cut.profile());
   }
 
   void takeMaps()
@@ -182,6 +241,7 @@ class Drive
       m_run.uncutRegions.push_back(scoreRegion(uncutMap, truth, i));
       m_run.cutRegions.push_back(scoreRegion(cutMap, truth, i));
     }
+    for (const OutsideMaps& outside : m_outside) m_run.outside.push_back(outside.judged(truth));
     m_run.uncutFalse = falseObstacles(uncutMap, truth, m_history.cells());
     m_run.cutFalse = falseObstacles(cutMap, truth, m_history.cells());
     m_run.people = peopleTraces(cutMap, truth, m_history.cells());
@@ -201,6 +261,7 @@ class Drive
   }
 
   const ScanShapeSettings& m_settings;
+  const sim::World& m_world;
   grid::GridFrame m_frame;
   std::vector<scan::UpdateParams> m_updates;
   ScannerGrid m_scanner;
@@ -208,6 +269,8 @@ class Drive
   CountGrid m_counts;
   ProfileGrids m_uncut, m_cut;
   std::vector<TriedProfile> m_tried;
+  scan::ScanProfile m_real;            //!< of the returns that were not reflected
+  std::vector<OutsideMaps> m_outside;  //!< one for each margin
   DriveHistory m_history;
   PosedScan m_scan;  //!< kept, for its memory
   ScanShapeRun m_run;

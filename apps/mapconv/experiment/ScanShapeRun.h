@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "Progress.h"
+#include "ScanShapeRegions.h"
 #include "ScanShapeScores.h"
 #include "ScanShapeSettings.h"
 
@@ -35,6 +36,8 @@ struct ScanShapeRun
   PerScanMethod<mrpt_mapconv::grid::Layer<float>> maps;
   PerScanMethod<MapScore> scores;
   std::vector<RegionScore> uncutRegions, cutRegions;  //!< of the settings' regions
+  /** Of each of the settings' margins: the same regions as seen from outside. */
+  std::vector<std::vector<OutsideScore>> outside;
   FalseObstacles uncutFalse, cutFalse;
   PeopleTraces people;                    //!< of the full method
   std::vector<UpdateTrial> updateTrials;  //!< empty if it takes no part in the sweep
@@ -42,7 +45,9 @@ struct ScanShapeRun
 };
 
 /** Simulates one drive; each scan is put into all maps, at the same estimated pose.
- * \param withSweep also try what the settings' sweep names */
+ * \param withSweep also try what the settings' sweep names
+ * \exception std::runtime_error in one line naming the world's file if an estimated pose lies
+ * outside the world */
 ScanShapeRun driveThrough(const mrpt_mapconv::sim::Scenario& scenario, const ScanShapeTruth& truth,
                           const ScanShapeSettings& settings, std::uint32_t seed, bool withSweep,
                           Progress& progress);

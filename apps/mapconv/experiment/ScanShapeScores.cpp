@@ -11,18 +11,36 @@ using namespace mrpt_mapconv;
 
 namespace
 {
-/** The cells whose centre lies within a region. */
-sim::CellMask cellsIn(const MapRegion& region, const grid::GridFrame& frame)
+/** The cells whose centre lies within a rectangle. */
+sim::CellMask cellsIn(const sim::Footprint& rectangle, const grid::GridFrame& frame)
 {
   sim::CellMask mask(frame, 0);
   for (std::int32_t iy = 0; iy < frame.height; ++iy)
     for (std::int32_t ix = 0; ix < frame.width; ++ix)
-    {
-      const double x = (frame.x0 + ix + 0.5) * frame.resolution;
-      const double y = (frame.y0 + iy + 0.5) * frame.resolution;
-      mask.at(ix, iy) = x >= region.xMin && x < region.xMax && y >= region.yMin && y < region.yMax;
-    }
+      mask.at(ix, iy) = holds(rectangle, (frame.x0 + ix + 0.5) * frame.resolution,
+                              (frame.y0 + iy + 0.5) * frame.resolution);
   return mask;
+}
+
+/** A map of which only the occupied cells are left. */
+grid::Layer<float> onlyOccupied(grid::Layer<float> map)
+{
+  for (float& cell : map.cells())
+    if (!grid::isOccupied(cell)) cell = grid::kUnknown;
+  return map;
+}
+
+bool isWithin(const sim::Footprint& rectangle, const sim::World& world)
+{
+  return rectangle.xMin >= world.min().x && rectangle.xMax <= world.max().x &&
+         rectangle.yMin >= world.min().y && rectangle.yMax <= world.max().y;
+}
+
+bool anyFree(const sim::CellMask& cells, const grid::Layer<float>& obstacles)
+{
+  for (std::size_t i = 0; i < cells.cells().size(); ++i)
+    if (cells.cells()[i] && grid::isFree(obstacles.cells()[i])) return true;
+  return false;
 }
 
 /** The truth laid on a map's frame. */
@@ -41,15 +59,24 @@ ScanShapeTruth truthOf(const sim::Scenario& scenario, const ScanShapeSettings& s
       sim::obstacleLayer(scenario.world, frame, start.z() + settings.profile.objectMinZ,
                          start.z() + settings.profile.objectMaxZ);
   truth.should = sim::cellsToLabel(truth.obstacles, start.x(), start.y());
-  for (const MapRegion& region : settings.regions) truth.regions.push_back(cellsIn(region, frame));
+  truth.shouldBeOccupied = sim::both(truth.should, sim::cellsFrom(truth.obstacles, 0.5f));
+  for (const MapRegion& region : settings.regions)
+    truth.regions.push_back(cellsIn(region.area, frame));
   return truth;
+}
+
+bool isPlaceIn(const sim::Footprint& rectangle, const sim::World& world,
+               const ScanShapeTruth& truth)
+{
+  return isWithin(rectangle, world) &&
+         anyFree(cellsIn(rectangle, truth.obstacles.frame()), truth.obstacles);
 }
 
 MapScore scoreOf(const grid::Layer<float>& map, const ScanShapeTruth& truth)
 {
   const sim::CellMask everywhere(truth.obstacles.frame(), 1);
   return {sim::scoreLabels(map, truth.obstacles, truth.should),
-          sim::scoreOccupancy(map, truth.obstacles, truth.should).occupied,
+          sim::scoreLabels(onlyOccupied(map), truth.obstacles, truth.shouldBeOccupied),
           sim::occupiedLabelledFree(map, truth.obstacles, everywhere)};
 }
 
@@ -91,7 +118,6 @@ PeopleTraces& PeopleTraces::operator+=(const PeopleTraces& o)
 PeopleTraces peopleTraces(const grid::Layer<float>& map, const ScanShapeTruth& truth,
                           const grid::Layer<CellHistory>& history)
 {
-  constexpr int kScansToFade = 10;  // as the experiment promises
   const auto obstacles = truthOn(map.frame(), truth);
   PeopleTraces traces;
   for (std::size_t i = 0; i < map.cells().size(); ++i)

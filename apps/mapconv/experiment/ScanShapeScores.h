@@ -16,6 +16,7 @@ struct ScanShapeTruth
 {
   mrpt_mapconv::grid::Layer<float> obstacles;        //!< what a robot can hit
   mrpt_mapconv::sim::CellMask should;                //!< cells that should be labelled
+  mrpt_mapconv::sim::CellMask shouldBeOccupied;      //!< the occupied ones of them
   std::vector<mrpt_mapconv::sim::CellMask> regions;  //!< of the settings' regions
 };
 
@@ -23,12 +24,16 @@ struct ScanShapeTruth
 ScanShapeTruth truthOf(const mrpt_mapconv::sim::Scenario& scenario,
                        const ScanShapeSettings& settings);
 
+/** True for a rectangle within a world's bounds that has a truly free cell. */
+bool isPlaceIn(const mrpt_mapconv::sim::Footprint& rectangle, const mrpt_mapconv::sim::World& world,
+               const ScanShapeTruth& truth);
+
 /** How good a map is. */
 struct MapScore
 {
   mrpt_mapconv::sim::LabelScore labels;
-  mrpt_mapconv::sim::Agreement occupied;  //!< in the cells that should be labelled
-  std::size_t occupiedLabelledFree = 0;   //!< of all cells
+  mrpt_mapconv::sim::LabelScore occupied;  //!< likewise, of nothing but that label
+  std::size_t occupiedLabelledFree = 0;    //!< of all cells
 };
 
 MapScore scoreOf(const mrpt_mapconv::grid::Layer<float>& map, const ScanShapeTruth& truth);
@@ -37,7 +42,7 @@ MapScore scoreOf(const mrpt_mapconv::grid::Layer<float>& map, const ScanShapeTru
 struct RegionScore
 {
   double trueFreeArea = 0;               //!< [m²]
-  double shareFound = 0;                 //!< of the truly free cells, those labelled free; or NaN
+  double shareFound = 0;                 //!< of the truly free cells, those labelled free
   std::size_t occupiedLabelledFree = 0;  //!< cells
 };
 
@@ -55,6 +60,9 @@ struct FalseObstacles
 FalseObstacles falseObstacles(const mrpt_mapconv::grid::Layer<float>& map,
                               const ScanShapeTruth& truth,
                               const mrpt_mapconv::grid::Layer<CellHistory>& history);
+
+/** After so many scans that say free no cell is to be occupied because of a person. */
+constexpr int kScansToFade = 10;
 
 /** What walking people have left on a map, as counts of cells. Each one is a part of the one
  * before, but the last. */

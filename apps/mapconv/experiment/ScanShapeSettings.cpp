@@ -4,6 +4,7 @@
 #include <mrpt_mapconv/maps/ScanInsertionOptions.h>
 #include <mrpt_mapconv/maps/StrictSection.h>
 
+#include <algorithm>
 #include <limits>
 #include <set>
 #include <stdexcept>
@@ -116,14 +117,26 @@ void readSweep(const ExperimentJob& job, ScanShapeSettings& settings)
 {
   StrictSection section(job.ini, "sweep");
   ScanShapeSweep& sweep = settings.sweep;
-  section.read("seeds", sweep.seeds);
-  if (sweep.seeds < 0) section.fail("seeds", ">= 0, the number of runs that take part");
+  sweep.seeds = readCounts<std::uint32_t>(section, "seeds");
+  for (const std::uint32_t seed : sweep.seeds)  // nothing is tuned on what is reported
+    if (std::count(settings.seeds.begin(), settings.seeds.end(), seed) > 0)
+      section.fail("seeds", "a list of others than the seeds in section 'experiment'");
   section.read("pHit", sweep.pHit);
   section.read("pMiss", sweep.pMiss);
   section.read("structureTolerance", sweep.structureTolerance);
   sweep.sectors = readCounts<std::int32_t>(section, "sectors");
   section.refuseUnknown("the sweep");
   checkSweep(section.name(), settings);
+}
+
+sim::Footprint readRectangle(StrictSection& section, const std::string& key)
+{
+  const std::string meaning = "four numbers, xMin yMin xMax yMax [m], each max above its min";
+  const auto sides = readSome(section, key, 4, meaning);
+  const sim::Footprint rectangle{sides[0], sides[1], sides[2], sides[3]};
+  if (!(rectangle.xMin < rectangle.xMax && rectangle.yMin < rectangle.yMax))
+    section.fail(key, meaning);
+  return rectangle;
 }
 
 MapRegion readRegion(const ExperimentJob& job, const std::string& name)
@@ -136,21 +149,25 @@ MapRegion readRegion(const ExperimentJob& job, const std::string& name)
   section.readChoice("kind", kinds, kind);
   if (kind < 0) section.fail("kind", "lintelDoor or openDoor or ceilingPane");
   region.kind = kinds[static_cast<std::size_t>(kind)];
-  const std::string meaning = "four numbers, xMin yMin xMax yMax [m], each max above its min";
-  const auto area = readSome(section, "area", 4, meaning);
-  region.xMin = area[0];
-  region.yMin = area[1];
-  region.xMax = area[2];
-  region.yMax = area[3];
-  if (!(region.xMin < region.xMax && region.yMin < region.yMax)) section.fail("area", meaning);
+  region.area = readRectangle(section, "area");
+  region.room = readRectangle(section, "room");
   section.refuseUnknown("a region");
   return region;
 }
 
+void readMargins(const ExperimentJob& job, ScanShapeSettings& settings)
+{
+  StrictSection section(job.ini, "regions");
+  section.read("margins", settings.margins);
+  for (const double margin : settings.margins)
+    if (margin < 0) section.fail("margins", "a list of numbers >= 0 [m]");
+  section.refuseUnknown("the regions");
+}
+
 void readRegions(const ExperimentJob& job, ScanShapeSettings& settings)
 {
-  const std::set<std::string> others = {"experiment", "wholeShapeCut", "scanner2D", "paper",
-                                        "sweep"};
+  const std::set<std::string> others = {"experiment", "wholeShapeCut", "scanner2D",
+                                        "paper",      "sweep",         "regions"};
   std::vector<std::string> sections;
   job.ini.getAllSections(sections);
   for (const std::string& name : sections)
@@ -171,13 +188,21 @@ ScanShapeSettings readScanShapeSettings(const ExperimentJob& job)
   readScanner(job, settings);
   readPaper(job, settings);
   readSweep(job, settings);
+  readMargins(job, settings);
   readRegions(job, settings);
   if (job.quick)
   {
     settings.seeds.resize(1);
+    settings.sweep.seeds.resize(std::min<std::size_t>(settings.sweep.seeds.size(), 1));
     settings.maxScans = 8;
   }
   return settings;
+}
+
+void failRegion(const ExperimentJob& job, const MapRegion& region, const std::string& key,
+                const std::string& right)
+{
+  StrictSection(job.ini, region.section()).fail(key, right);
 }
 
 }  // namespace mapconv

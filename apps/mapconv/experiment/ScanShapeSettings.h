@@ -3,6 +3,7 @@
 #include <mrpt/maps/COccupancyGridMap2D.h>
 #include <mrpt_mapconv/scan/LogOddsUpdate.h>
 #include <mrpt_mapconv/scan/ProfileParams.h>
+#include <mrpt_mapconv/sim/Primitive.h>
 
 #include <array>
 #include <cmath>
@@ -38,15 +39,24 @@ struct PaperScore
 /** A rectangle in which maps are looked at more closely. */
 struct MapRegion
 {
-  std::string name;                               //!< the section's, after "region."
-  std::string kind;                               //!< what leads into it
-  double xMin = 0, yMin = 0, xMax = 0, yMax = 0;  //!< [m]
+  std::string name;                   //!< the section's, after "region."
+  std::string kind;                   //!< what leads into it
+  mrpt_mapconv::sim::Footprint area;  //!< that is judged
+  mrpt_mapconv::sim::Footprint room;  //!< the one behind, of which scans may be left out
+
+  std::string section() const { return "region." + name; }
 };
+
+/** True if a rectangle holds a place [m]. */
+inline bool holds(const mrpt_mapconv::sim::Footprint& rectangle, double x, double y)
+{
+  return x >= rectangle.xMin && x < rectangle.xMax && y >= rectangle.yMin && y < rectangle.yMax;
+}
 
 /** What the full method is tried with besides its settings. */
 struct ScanShapeSweep
 {
-  int seeds = 0;                           //!< in how many runs
+  std::vector<std::uint32_t> seeds;        //!< one run for each, none of which is reported
   std::vector<double> pHit, pMiss;         //!< all pairs of them
   std::vector<double> structureTolerance;  //!< [m]
   std::vector<std::int32_t> sectors;
@@ -55,7 +65,7 @@ struct ScanShapeSweep
 struct ScanShapeSettings
 {
   std::string world;                          //!< the simulator's world file
-  std::vector<std::uint32_t> seeds;           //!< one run for each
+  std::vector<std::uint32_t> seeds;           //!< one reported run for each
   double resolution = 0.05;                   //!< of all maps [m]
   int maxScans = 0;                           //!< 3D ones of a run; 0: all
   mrpt_mapconv::scan::ProfileParams profile;  //!< of the full method
@@ -64,9 +74,17 @@ struct ScanShapeSettings
   PerScanMethod<PaperScore> paper;
   ScanShapeSweep sweep;
   std::vector<MapRegion> regions;
+  /** How far beyond the walls of a region's room scans from outside begin [m]. */
+  std::vector<double> margins = {0};
 };
 
 /** \exception std::exception in one line naming section, key and value */
 ScanShapeSettings readScanShapeSettings(const ExperimentJob& job);
+
+/** Complains about one of the rectangles of a region.
+ * \param key of the rectangle \param right what it must be
+ * \exception std::runtime_error in one line naming section, key and value */
+[[noreturn]] void failRegion(const ExperimentJob& job, const MapRegion& region,
+                             const std::string& key, const std::string& right);
 
 }  // namespace mapconv

@@ -1,4 +1,4 @@
-#include <algorithm>
+#include <mrpt/core/format.h>
 
 #include "ScanShapeResult.h"
 
@@ -8,45 +8,78 @@ using namespace mrpt_mapconv;
 
 namespace
 {
-/** The runs that took part in the sweep. */
-std::vector<const ScanShapeRun*> sweptRuns(const ScanShapeResult& result)
-{
-  std::vector<const ScanShapeRun*> runs;
-  const auto count =
-      std::min(result.runs.size(), static_cast<std::size_t>(result.settings.sweep.seeds));
-  for (std::size_t i = 0; i < count; ++i) runs.push_back(&result.runs[i]);
-  return runs;
-}
+using Runs = std::vector<ScanShapeRun>;
 
 /** How many scans that say free it takes until the most occupied cell reads free. */
 int scansToFree(const scan::LogOddsUpdate& update) { return -update.lowest() / update.miss() + 1; }
 
 /** The mean scores of a trial that each run has, as `scoreIn` finds it. */
 template <class ScoreIn>
-std::vector<std::string> cellsOf(const std::vector<const ScanShapeRun*>& runs,
-                                 const ScoreIn& scoreIn)
+std::vector<std::string> cellsOf(const Runs& runs, const ScoreIn& scoreIn)
 {
   std::vector<MapScore> scores;
   scores.reserve(runs.size());
-  for (const ScanShapeRun* run : runs) scores.push_back(scoreIn(*run));
+  for (const ScanShapeRun& run : runs) scores.push_back(scoreIn(run));
   return scoreCells(scores, 4);
 }
 
-void addUpdates(const std::vector<const ScanShapeRun*>& runs, Report& report)
+/** Numbers as a text, "1, 2 and 3". */
+std::string listOf(const std::vector<std::uint32_t>& numbers)
 {
+  std::string list;
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    list += (i == 0 ? "" : i + 1 < numbers.size() ? ", " : " and ") + std::to_string(numbers[i]);
+  return list;
+}
+
+std::string drivesText(const ScanShapeSettings& settings)
+{
+  const auto& seeds = settings.sweep.seeds;
+  return seeds.size() == 1
+             ? "The drive of seed " + listOf(seeds) + ", which is not in the tables above."
+             : "Means of the drives of seeds " + listOf(seeds) +
+                   ", which are not in the tables above.";
+}
+
+/** The best increments of those that free any cell in so many scans as people may take to fade. */
+std::string guaranteeText(const Runs& runs)
+{
+  double bestScore = -1;
+  scan::UpdateParams best;
+  const auto& trials = runs.front().updateTrials;
+  for (std::size_t i = 0; i < trials.size(); ++i)
+  {
+    const double score = meanOf(
+        runs, [&](const ScanShapeRun& run) { return run.updateTrials[i].score.labels.fScore(); });
+    if (scansToFree(scan::LogOddsUpdate(trials[i].params)) > kScansToFade || score <= bestScore)
+      continue;
+    bestScore = score;
+    best = trials[i].params;
+  }
+  if (bestScore < 0) return "No pair guarantees that ten scans free any cell.";
+  const scan::LogOddsUpdate update(best);
+  return mrpt::format(
+      "Of the pairs that guarantee that ten scans free any cell the best is %.2f/%.2f (%d x %d > "
+      "%d).",
+      best.pHit, best.pMiss, kScansToFade, update.miss(), -update.lowest());
+}
+
+void addUpdates(const ScanShapeResult& result, Report& report)
+{
+  const Runs& runs = result.sweepRuns;
   Table table{"increments",
               "Whole shape with the cut: increments of occupied and free cells",
               joined({"pHit", "pMiss", "units"},
                      joined(scoreHeader(), {"scans to free", "left by people", "not faded"})),
               {}};
-  for (std::size_t i = 0; i < runs.front()->updateTrials.size(); ++i)
+  for (std::size_t i = 0; i < runs.front().updateTrials.size(); ++i)
   {
-    const scan::UpdateParams& params = runs.front()->updateTrials[i].params;
+    const scan::UpdateParams& params = runs.front().updateTrials[i].params;
     const scan::LogOddsUpdate update(params);
     const auto mean = [&](const auto& value)
     {
       return meanOf(runs,
-                    [&](const ScanShapeRun* run) { return value(run->updateTrials[i].people); });
+                    [&](const ScanShapeRun& run) { return value(run.updateTrials[i].people); });
     };
     const double left = mean([](const PeopleTraces& traces) { return traces.hitByPerson; });
     const double notFaded = mean([](const PeopleTraces& traces) { return traces.notFaded; });
@@ -58,38 +91,40 @@ void addUpdates(const std::vector<const ScanShapeRun*>& runs, Report& report)
         joined(scores, {std::to_string(scansToFree(update)), fixed(left, 1), fixed(notFaded, 1)})));
   }
   table.note =
-      "Means of " + std::to_string(runs.size()) + (runs.size() == 1 ? " drive. " : " drives. ") +
-      "Units: of MRPT's cells, sixteenths of log-odds. Scans to free: how many that say free it "
+      drivesText(result.settings) +
+      " Units: of MRPT's cells, sixteenths of log-odds. Scans to free: how many that say free it "
       "takes until a cell that is as occupied as it can be has p < 0.5. Left by people: cells free "
       "in truth that have p > 0.5 at the end because of a person. Not faded: of these, the ones "
-      "that at least ten scans since have said are free.";
+      "that at least ten scans since have said are free. " +
+      guaranteeText(runs);
   report.addTable(table);
 }
 
-void addProfiles(const std::vector<const ScanShapeRun*>& runs, Report& report)
+void addProfiles(const ScanShapeResult& result, Report& report)
 {
+  const Runs& runs = result.sweepRuns;
   Table table{"parameters",
               "Whole shape with the cut: other parameters",
               joined({"parameter", "value"}, scoreHeader()),
               {}};
-  for (std::size_t i = 0; i < runs.front()->profileTrials.size(); ++i)
+  for (std::size_t i = 0; i < runs.front().profileTrials.size(); ++i)
   {
-    const ProfileTrial& trial = runs.front()->profileTrials[i];
+    const ProfileTrial& trial = runs.front().profileTrials[i];
     table.addRow(
         joined({trial.parameter, trial.value},
                cellsOf(runs, [&](const ScanShapeRun& run) { return run.profileTrials[i].score; })));
   }
+  table.note = drivesText(result.settings);
   report.addTable(table);
 }
 }  // namespace
 
 void addSweep(const ScanShapeResult& result, Report& report)
 {
-  const auto runs = sweptRuns(result);
-  if (runs.empty()) return;
+  if (result.sweepRuns.empty()) return;
   report.addHeading("Parameters");
-  addUpdates(runs, report);
-  addProfiles(runs, report);
+  addUpdates(result, report);
+  addProfiles(result, report);
 }
 
 }  // namespace mapconv

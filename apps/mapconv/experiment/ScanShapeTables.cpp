@@ -80,8 +80,9 @@ void addScores(const ScanShapeResult& result, Report& report)
       "truth. Recall: of the cells that should be labelled, which are " +
       countText(result) +
       ", those that are: truly free cells connected to the start, and truly occupied ones beside "
-      "them. Occupied: precision and recall of that label within these cells. Cells "
-      "labelled free are counted among all truly occupied ones. Accumulated counts (the paper's "
+      "them. Occupied: precision and recall of that label alone, again over all cells that have "
+      "it, wherever they are, and over those that should have it. Cells labelled free are counted "
+      "among all truly occupied ones. Accumulated counts (the paper's "
       "figure 7a) forget nothing: "
       "a cell is occupied if it ever was seen so, and free if it was only ever seen free.";
   report.addHeading("Quality");

@@ -9,31 +9,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
+
+#include "MapSections.h"
 
 namespace mrpt_mapconv
 {
 using Base = mrpt::maps::COccupancyGridMap2D;
 using Source = voxel::OctreeSource<octomap::OcTree>;
 
-namespace
-{
-double checkedResolution(double resolution)
-{
-  constexpr double finest = 1e-4, coarsest = 1e3;  // beyond that MRPT's floats fail
-  if (resolution >= finest && resolution <= coarsest) return resolution;
-  std::ostringstream message;
-  message << "resolution = " << resolution << " is not valid: it must be within [" << finest << ", "
-          << coarsest << "] m";
-  throw std::invalid_argument(message.str());
-}
-}  // namespace
-
 CFreeSpaceGridMap2D::CFreeSpaceGridMap2D(double resolution)
     : m_log("CFreeSpaceGridMap2D"),
       m_warnings(&m_log),
-      m_octree(std::make_unique<octomap::OcTree>(checkedResolution(resolution)))
+      m_octree(std::make_unique<octomap::OcTree>(maps::checkedResolution(resolution)))
 {
   voxelInsertionOptions.applyTo(*m_octree);
   showAllCells();
@@ -121,7 +109,7 @@ void CFreeSpaceGridMap2D::loadVoxelMap(const std::string& file)
 /** Converts a tree and, if that succeeds, makes it the map's. */
 void CFreeSpaceGridMap2D::takeOctree(std::unique_ptr<octomap::OcTree> tree)
 {
-  checkedResolution(tree->getResolution());
+  maps::checkedResolution(tree->getResolution());
   freespace::IncrementalLayers layers(m_conversion.params);
   layers.rebuild(Source(*tree));
   if (!layers.layers().frame().empty()) grid::checkGridMapFrame(layers.layers().frame());

@@ -1,9 +1,7 @@
 #include <mrpt/obs/CObservation2DRangeScan.h>
 #include <mrpt_mapconv/maps/CScanShapeGridMap2D.h>
 #include <mrpt_mapconv/maps/ObservationPoints.h>
-
-#include <cmath>
-#include <utility>
+#include <mrpt_mapconv/maps/PoseTrack.h>
 
 #include "MapSections.h"
 
@@ -14,24 +12,12 @@ using Base = mrpt::maps::COccupancyGridMap2D;
 /** What an insertion works with; kept so that the next one needs no memory. */
 struct CScanShapeGridMap2D::Workspace
 {
-  explicit Workspace(const mrpt::system::COutputLogger& log) : warnings(&log) {}
-
-  maps::PointWarnings warnings;
   maps::SensorPoints scan;
   scan::ScanProfile profile;
-  bool saidFewWalls = false;
 };
 
 namespace
 {
-bool isFinite(const mrpt::poses::CPose3D& pose)
-{
-  const auto p = pose.asTPose();
-  for (const double value : {p.x, p.y, p.z, p.yaw, p.pitch, p.roll})
-    if (!std::isfinite(value)) return false;
-  return true;
-}
-
 mrpt::poses::CPose3D sensorPoseOf(const mrpt::obs::CObservation& obs,
                                   const mrpt::poses::CPose3D& robotPose)
 {
@@ -40,17 +26,19 @@ mrpt::poses::CPose3D sensorPoseOf(const mrpt::obs::CObservation& obs,
   return robotPose + sensorOnRobot;
 }
 
-void warnSkipped(maps::PointWarnings& warnings, const mrpt::obs::CObservation& obs,
-                 const std::string& why)
+/** Why nothing of a scan is left. */
+const char* whyEmpty(const scan::ProfileStatistics& found)
 {
-  const auto name = maps::nameOf(obs);
-  warnings.warnOnceOf("skipped: " + name, "a scan of " + name + " is skipped: " + why);
+  return found.objectPoints > 0
+             ? "all of its objects are behind walls"
+             : "it has no object between objectMinZ and objectMaxZ, minRange and maxRange";
 }
 }  // namespace
 
 CScanShapeGridMap2D::CScanShapeGridMap2D(double resolution)
     : Base(-1.0f, 1.0f, -1.0f, 1.0f, 1.0f),  // its own default is large
       m_log("CScanShapeGridMap2D"),
+      m_warnings(&m_log),
       m_cellSize(maps::checkedResolution(resolution))
 {
   startEmpty();
@@ -62,7 +50,8 @@ CScanShapeGridMap2D::CScanShapeGridMap2D(const CScanShapeGridMap2D& o)
     : Base(o),
       scanInsertionOptions(o.scanInsertionOptions),
       maxGridCells(o.maxGridCells),
-      m_log(o.m_log),
+      m_log("CScanShapeGridMap2D"),
+      m_warnings(&m_log, o.m_warnings),
       m_cellSize(o.m_cellSize)
 {
 }
@@ -73,20 +62,17 @@ CScanShapeGridMap2D& CScanShapeGridMap2D::operator=(const CScanShapeGridMap2D& o
   Base::operator=(o);
   scanInsertionOptions = o.scanInsertionOptions;
   maxGridCells = o.maxGridCells;
+  m_warnings.rememberWith(o.m_warnings);
   m_cellSize = o.m_cellSize;
-  m_work.reset();
+  m_lastScan = {};
+  m_lastSkip.clear();
   return *this;
 }
 
 CScanShapeGridMap2D::Workspace& CScanShapeGridMap2D::workspace()
 {
-  if (!m_work) m_work = std::make_unique<Workspace>(m_log);
+  if (!m_work) m_work = std::make_unique<Workspace>();
   return *m_work;
-}
-
-scan::ProfileStatistics CScanShapeGridMap2D::lastScan() const
-{
-  return m_work ? m_work->profile.statistics() : scan::ProfileStatistics();
 }
 
 void CScanShapeGridMap2D::internal_clear()
@@ -98,27 +84,28 @@ void CScanShapeGridMap2D::internal_clear()
 bool CScanShapeGridMap2D::internal_insertObservation(
     const mrpt::obs::CObservation& obs, const std::optional<const mrpt::poses::CPose3D>& robotPose)
 {
-  if (!maps::isScan(obs)) return false;
+  // a likelihood asks: nothing may change, and MRPT's own grid counts nothing either
+  if (updateInfoChangeOnly.enabled) return false;
   const auto pose = robotPose.value_or(mrpt::poses::CPose3D());
-  if (!isFinite(sensorPoseOf(obs, pose)))
-  {
-    warnSkipped(workspace().warnings, obs, "its pose is not finite");
-    return false;
-  }
+  m_lastSkip.clear();
   if (const auto* scan = dynamic_cast<const mrpt::obs::CObservation2DRangeScan*>(&obs))
     return insert2D(*scan, pose);
-  return insert3D(obs, pose);
+  if (maps::isScan(obs)) return insert3D(obs, pose);
+  m_lastSkip = "it is not a scan";
+  return false;
 }
 
 bool CScanShapeGridMap2D::insert3D(const mrpt::obs::CObservation& obs,
                                    const mrpt::poses::CPose3D& robotPose)
 {
-  if (updateInfoChangeOnly.enabled) return false;  // a likelihood asks, nothing may change
   scanInsertionOptions.check();
   const scan::LogOddsUpdate update(scanInsertionOptions.update);
+  const auto sensorPose = sensorPoseOf(obs, robotPose);
+  if (!maps::isFinite(sensorPose)) return skip(obs, "its pose is not finite");
+  checkNear(sensorPose);
   auto& work = workspace();
-  if (!maps::sensorPoints(obs, robotPose, work.scan, &work.warnings)) return false;
-  if (work.scan.points.empty()) return false;
+  maps::sensorPoints(obs, robotPose, work.scan, &m_warnings);
+  if (work.scan.points.empty()) return skip(obs, "it has no usable point");
   try
   {
     work.profile.compute(work.scan.points,
@@ -127,36 +114,65 @@ bool CScanShapeGridMap2D::insert3D(const mrpt::obs::CObservation& obs,
   }
   catch (const scan::UnusableScan& error)
   {
-    warnSkipped(work.warnings, obs, error.what());
-    return false;
+    return skip(obs, "unusable", error.what());
   }
-  report(obs);
   const grid::GridFrame bounds = work.profile.bounds();
-  if (bounds.empty()) return false;
-  makeRoomFor(bounds);
-  update.apply(work.profile, frame(), m_map.data());
-  m_likelihoodCacheOutDated = true;
-  return true;
+  if (!bounds.empty())
+  {
+    makeRoomFor(bounds);
+    update.apply(work.profile, frame(), m_map.data());
+    m_likelihoodCacheOutDated = true;
+  }
+  m_lastScan = work.profile.statistics();
+  report(obs);
+  return !bounds.empty() || skip(obs, whyEmpty(m_lastScan));
+}
+
+/** Remembers, and says once, why an observation is not inserted. \return false */
+bool CScanShapeGridMap2D::skip(const mrpt::obs::CObservation& obs, std::string_view why)
+{
+  return skip(obs, why, why);
+}
+
+/** \param kind of reason, without its numbers */
+bool CScanShapeGridMap2D::skip(const mrpt::obs::CObservation& obs, std::string_view kind,
+                               std::string_view why)
+{
+  m_lastSkip = why;
+  m_warnings.warnOnceOf(
+      {kind, obs.GetRuntimeClass()->className, obs.sensorLabel},
+      [&] { return "a scan of " + maps::nameOf(obs) + " is skipped: " + m_lastSkip; });
+  return false;
 }
 
 /** Says how many azimuths end at a structural element; where they do not, nothing is cut. */
 void CScanShapeGridMap2D::report(const mrpt::obs::CObservation& obs)
 {
+  using mrpt::system::LVL_DEBUG, mrpt::system::LVL_INFO;
   const auto& params = scanInsertionOptions.profile;
-  const auto& found = m_work->profile.statistics();
-  if (m_log.isLoggingLevelVisible(mrpt::system::LVL_DEBUG))
-    m_log.logFmt(mrpt::system::LVL_DEBUG,
+  const auto& found = m_lastScan;
+  const double percent = 100 * found.shareWithWall();
+  if (m_log.isLoggingLevelVisible(LVL_DEBUG))
+    m_log.logFmt(LVL_DEBUG,
                  "%s: %zu points, %zu of objects, %zu of structure; a wall on %.1f %% of %i "
                  "azimuths; %zu cells occupied, %zu free",
                  maps::nameOf(obs).c_str(), found.points, found.objectPoints, found.structurePoints,
-                 100 * found.shareWithWall(), found.lines, found.occupiedCells, found.freeCells);
-  constexpr double fewest = 0.1;
-  if (!params.reflectionFilter || m_work->saidFewWalls || found.shareWithWall() >= fewest) return;
-  m_work->saidFewWalls = true;
-  m_work->warnings.warn(
-      mrpt::format("only %.1f %% of a scan's azimuths have a wall between structureMinZ = %g m and "
-                   "structureMaxZ = %g m: reflections are not cut along the others (said once)",
-                   100 * found.shareWithWall(), params.structureMinZ, params.structureMaxZ));
+                 percent, found.lines, found.occupiedCells, found.freeCells);
+  if (!params.reflectionFilter) return;
+  if (m_warnings.isNew({"first 3D scan"}))
+    m_log.logFmt(LVL_INFO, "first 3D scan, of %s: a wall on %.1f %% of %i azimuths",
+                 maps::nameOf(obs).c_str(), percent, found.lines);
+  constexpr double fewest = 10;
+  if (percent >= fewest) return;
+  m_warnings.warnOnceOf(
+      {"few walls"},
+      [&]
+      {
+        return mrpt::format(
+            "only %.1f %% of a scan's azimuths have a wall between structureMinZ = %g m and "
+            "structureMaxZ = %g m: reflections are not cut along the others",
+            percent, params.structureMinZ, params.structureMaxZ);
+      });
 }
 
 std::string CScanShapeGridMap2D::asString() const

@@ -31,7 +31,7 @@ void CScanShapeGridMap2D::TMapDefinition::loadFromConfigFile_map_specific(
   creation.warnUnknown();
 
   maps::StrictSection insertion(source, sectionNamePrefix + kSections[1]);
-  scanInsertionOpts.readFrom(insertion);
+  scanInsertionOpts.readFrom(insertion, resolution);
   maps::readGridInsertionOptions(insertion, insertionOpts);
   insertion.warnUnknown();
 
@@ -53,6 +53,7 @@ mrpt::maps::CMetricMap* CScanShapeGridMap2D::internal_CreateFromMapDefinition(
 {
   const auto& def = dynamic_cast<const TMapDefinition&>(definition);
   auto map = std::make_unique<CScanShapeGridMap2D>(def.resolution);
+  map->m_warnings.rememberWith(def.said);
   map->maxGridCells = def.maxGridCells;
   map->scanInsertionOptions = def.scanInsertionOpts;
   map->insertionOptions = def.insertionOpts;

@@ -1,5 +1,3 @@
-#include <mrpt/obs/CObservation2DRangeScan.h>
-#include <mrpt_mapconv/grid/CellKey.h>
 #include <mrpt_mapconv/grid/GridMap.h>
 #include <mrpt_mapconv/grid/OccupancyCell.h>
 #include <mrpt_mapconv/maps/CScanShapeGridMap2D.h>
@@ -15,9 +13,6 @@
 
 namespace mrpt_mapconv
 {
-using Base = mrpt::maps::COccupancyGridMap2D;
-using mrpt::obs::CObservation2DRangeScan;
-
 namespace
 {
 constexpr std::int32_t kStartSide = 20;  // cells; MRPT's grids are never without
@@ -38,32 +33,6 @@ bool fitsMrpt(const grid::GridFrame& frame)
   {
     return false;
   }
-}
-
-/** The farthest that a scan's rays are inserted [m]. */
-double reachOf(const CObservation2DRangeScan& scan, const Base::TInsertionOptions& options)
-{
-  const double most = options.maxDistanceInsertion;
-  double reach = options.considerInvalidRangesAsFreeSpace ? most / 2 : 0;
-  for (std::size_t i = 0; i < scan.getScanSize(); ++i)
-    if (scan.getScanRangeValidity(i))
-      reach = std::max(reach, std::min(most, static_cast<double>(scan.getScanRange(i))));
-  return reach;
-}
-
-/** The cells within `reach` of (x, y), square; as many as keys can name. */
-grid::GridFrame frameAround(double x, double y, double reach, double resolution)
-{
-  const auto key = [resolution](double metres)
-  {
-    constexpr double farthest = 1e9;
-    const double cells = std::floor(metres / resolution);
-    return static_cast<std::int32_t>(std::clamp(cells, -farthest, farthest));
-  };
-  grid::GridFrame around{resolution, key(x - reach), key(y - reach), 0, 0};
-  around.width = key(x + reach) - around.x0 + 1;
-  around.height = key(y + reach) - around.y0 + 1;
-  return around;
 }
 
 /** How much more than asked for one side of the grid grows by, so that a drive does not copy it at
@@ -116,6 +85,19 @@ void CScanShapeGridMap2D::makeRoomFor(const grid::GridFrame& needed)
   layOut(cellsOf(roomy) <= maxGridCells && fitsMrpt(roomy) ? roomy : least);
 }
 
+/** \exception std::runtime_error for a finite pose whose cells keys cannot count; the grid of any
+ * less distant one is checked itself */
+void CScanShapeGridMap2D::checkNear(const mrpt::poses::CPose3D& sensorPose) const
+{
+  constexpr double farthest = 1e9;  // cells, so that keys stay within 32 bits
+  if (std::max(std::abs(sensorPose.x()), std::abs(sensorPose.y())) <= farthest * frame().resolution)
+    return;
+  std::ostringstream message;
+  message << "the scan's pose (" << sensorPose.x() << ", " << sensorPose.y() << ") is more than "
+          << farthest << " cells from the origin; is it right?";
+  throw std::runtime_error(message.str());
+}
+
 void CScanShapeGridMap2D::checkSize(const grid::GridFrame& least) const
 {
   constexpr double mrptsMost = std::numeric_limits<std::uint32_t>::max();
@@ -166,24 +148,6 @@ void CScanShapeGridMap2D::layOut(const grid::GridFrame& target)
   m_basis_map.clear();
   m_voronoi_diagram.clear();
   m_likelihoodCacheOutDated = true;
-}
-
-/** As the base class does it, but in a grid that has room: its own growth knows no limit, and with
- * some resolutions it moves the cells a little. */
-bool CScanShapeGridMap2D::insert2D(const CObservation2DRangeScan& scan,
-                                   const mrpt::poses::CPose3D& robotPose)
-{
-  if (!scanInsertionOptions.insert2D || scan.getScanSize() == 0) return false;
-  // Scans that the base class is going to refuse need no room.
-  const auto sensor = robotPose + scan.sensorPose;
-  if (!scan.isPlanarScan(insertionOptions.horizontalTolerance)) return false;
-  if (insertionOptions.useMapAltitude && std::abs(insertionOptions.mapAltitude - sensor.z()) > 1e-3)
-    return false;
-  constexpr double mrptsMargin = 16;  // cells; with fewer around the rays, the base class grows
-  const double resolution = frame().resolution;
-  makeRoomFor(frameAround(sensor.x(), sensor.y(),
-                          reachOf(scan, insertionOptions) + mrptsMargin * resolution, resolution));
-  return Base::internal_insertObservation(scan, robotPose);
 }
 
 grid::Layer<float> CScanShapeGridMap2D::probability() const

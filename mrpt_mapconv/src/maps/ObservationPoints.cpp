@@ -86,6 +86,7 @@ void readScan(const CObservation3DRangeScan& scan, SensorPoints& out, PointWarni
 void readScan(const CObservationPointCloud& scan, SensorPoints& out, PointWarnings&)
 {
   if (scan.pointcloud) return zip(*scan.pointcloud, out.points);
+  if (!scan.isExternallyStored()) return;
   const CObservationPointCloud copy = scan;
   copy.load();
   if (copy.pointcloud) zip(*copy.pointcloud, out.points);
@@ -212,8 +213,8 @@ bool isScan(const CObservation& obs)
 bool sensorPoints(const CObservation& obs, const mrpt::poses::CPose3D& robotPose, SensorPoints& out,
                   PointWarnings* warnings)
 {
-  PointWarnings silent;
-  PointWarnings& to = warnings ? *warnings : silent;
+  std::optional<PointWarnings> silent;  // made only if needed: it takes memory
+  PointWarnings& to = warnings ? *warnings : silent.emplace();
   const bool read = readAs<CObservation2DRangeScan>(obs, out, to) ||
                     readAs<CObservation3DRangeScan>(obs, out, to) ||
                     readAs<CObservationPointCloud>(obs, out, to) ||
@@ -221,9 +222,12 @@ bool sensorPoints(const CObservation& obs, const mrpt::poses::CPose3D& robotPose
                     readAs<CObservationRotatingScan>(obs, out, to);
   if (!read) return false;
   if (const auto n = dropUnusable(out.points); n > 0)
-    to.warnOnceOf(
-        "not finite: " + nameOf(obs),
-        std::to_string(n) + " points with NaN or infinite coordinates dropped from " + nameOf(obs));
+    to.warnOnceOf({"not finite", obs.GetRuntimeClass()->className, obs.sensorLabel},
+                  [&]
+                  {
+                    return std::to_string(n) +
+                           " points with NaN or infinite coordinates dropped from " + nameOf(obs);
+                  });
   mrpt::poses::CPose3D sensorOnRobot;
   obs.getSensorPose(sensorOnRobot);
   out.sensorPose = robotPose + sensorOnRobot;

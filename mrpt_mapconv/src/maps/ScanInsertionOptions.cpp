@@ -1,17 +1,16 @@
 #include <mrpt/config/CConfigFileBase.h>
 #include <mrpt/core/bits_math.h>
 #include <mrpt_mapconv/maps/ScanInsertionOptions.h>
+#include <mrpt_mapconv/scan/ScanProfile.h>
 
+#include <array>
+#include <charconv>
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
-#include <vector>
 
 namespace mrpt_mapconv::maps
 {
-namespace
-{
-constexpr std::uint8_t kStreamVersion = 0;
-
 const std::vector<std::string>& modelNames()
 {
   static const std::vector<std::string> names{"wholeShape", "closestPoint"};
@@ -23,6 +22,10 @@ const std::string& nameOf(scan::Model model)
   return modelNames().at(static_cast<std::size_t>(model));
 }
 
+namespace
+{
+constexpr std::uint8_t kStreamVersion = 0;
+
 void readModel(StrictSection& ini, scan::Model& model)
 {
   int index = static_cast<int>(model);
@@ -30,14 +33,37 @@ void readModel(StrictSection& ini, scan::Model& model)
   model = static_cast<scan::Model>(index);
 }
 
-/** The object slice; its upper end is the robot's height unless it is given itself. */
+/** What another key, or its default, asks of a value. */
+std::string beside(const char* right, const char* key, double value)
+{
+  std::ostringstream text;
+  text << right << " " << key << " = " << value << " m";
+  return text.str();
+}
+
+/** The object slice; its upper end is the robot's height, by either name. */
 void readObjectSlice(StrictSection& ini, scan::ProfileParams& params)
 {
+  const char* upper = ini.has("robotHeight") ? "robotHeight" : "objectMaxZ";
   ini.read("objectMinZ", params.objectMinZ);
   ini.read("robotHeight", params.objectMaxZ);
-  if (ini.has("robotHeight") && params.objectMaxZ <= params.objectMinZ)
-    ini.fail("robotHeight", "a height above objectMinZ [m]");
+  const double height = params.objectMaxZ;
   ini.read("objectMaxZ", params.objectMaxZ);
+  if (ini.has("robotHeight") && height != params.objectMaxZ)
+    ini.fail("robotHeight", beside("left out, or the same as", "objectMaxZ", params.objectMaxZ));
+  if (!(params.objectMaxZ <= params.objectMinZ)) return;
+  // who wrote one end only is to read of that one
+  if (ini.has(upper)) ini.fail(upper, beside("above", "objectMinZ", params.objectMinZ));
+  if (ini.has("objectMinZ"))
+    ini.fail("objectMinZ", beside("below", "objectMaxZ", params.objectMaxZ));
+}
+
+void readRanges(StrictSection& ini, scan::ProfileParams& params)
+{
+  ini.read("minRange", params.minRange);
+  ini.read("maxRange", params.maxRange);
+  if (ini.has("maxRange") && !ini.has("minRange") && params.maxRange <= params.minRange)
+    ini.fail("maxRange", beside("above", "minRange", params.minRange));
 }
 
 constexpr double kDefaultGap = -1;
@@ -61,8 +87,7 @@ void readProfile(StrictSection& ini, scan::ProfileParams& params)
   ini.read("reflectionFilter", params.reflectionFilter);
   ini.read("structureMinZ", params.structureMinZ);
   ini.read("structureMaxZ", params.structureMaxZ);
-  ini.read("minRange", params.minRange);
-  ini.read("maxRange", params.maxRange);
+  readRanges(ini, params);
   ini.read("sectors", params.sectors);
   readGap(ini, params.structureGap);
   ini.read("structureTolerance", params.structureTolerance);
@@ -75,6 +100,15 @@ void readUpdate(StrictSection& ini, scan::UpdateParams& params)
   ini.read("pMin", params.pMin);
   ini.read("pMax", params.pMax);
 }
+
+/** Writes the fewest digits that read the same; MRPT's own writing rounds. */
+void writeExactly(mrpt::config::CConfigFileBase& target, const std::string& section,
+                  const char* key, double value)
+{
+  std::array<char, 32> text;
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+  target.write(section, key, std::string(text.data(), end));
+}
 }  // namespace
 
 void TScanInsertionOptions::check() const
@@ -83,7 +117,15 @@ void TScanInsertionOptions::check() const
   update.check();
 }
 
-void TScanInsertionOptions::readFrom(StrictSection& ini)
+/** A profile of no points asks no more than what one of any scan would. */
+void TScanInsertionOptions::check(double resolution) const
+{
+  check();
+  const mrpt::poses::CPose3D sensor(0, 0, profile.objectMinZ);
+  scan::ScanProfile().compute({}, {sensor, 0, 0}, resolution, profile);
+}
+
+void TScanInsertionOptions::readFrom(StrictSection& ini, const std::optional<double>& resolution)
 {
   TScanInsertionOptions read = *this;
   readProfile(ini, read.profile);
@@ -91,7 +133,7 @@ void TScanInsertionOptions::readFrom(StrictSection& ini)
   ini.read("insert2D", read.insert2D);
   try
   {
-    read.check();
+    resolution ? read.check(*resolution) : read.check();
   }
   catch (const std::invalid_argument& error)
   {
@@ -112,22 +154,22 @@ void TScanInsertionOptions::saveToConfigFile(mrpt::config::CConfigFileBase& targ
                                              const std::string& section) const
 {
   target.write(section, "model", nameOf(profile.model));
-  target.write(section, "objectMinZ", profile.objectMinZ);
-  target.write(section, "objectMaxZ", profile.objectMaxZ);
+  writeExactly(target, section, "objectMinZ", profile.objectMinZ);
+  writeExactly(target, section, "objectMaxZ", profile.objectMaxZ);
   target.write(section, "reflectionFilter", profile.reflectionFilter);
   if (!std::isnan(profile.structureMinZ))
-    target.write(section, "structureMinZ", profile.structureMinZ);
+    writeExactly(target, section, "structureMinZ", profile.structureMinZ);
   if (!std::isnan(profile.structureMaxZ))
-    target.write(section, "structureMaxZ", profile.structureMaxZ);
-  target.write(section, "minRange", profile.minRange);
-  target.write(section, "maxRange", profile.maxRange);
+    writeExactly(target, section, "structureMaxZ", profile.structureMaxZ);
+  writeExactly(target, section, "minRange", profile.minRange);
+  writeExactly(target, section, "maxRange", profile.maxRange);
   target.write(section, "sectors", profile.sectors);
-  target.write(section, "structureGap", gapInDegrees(profile.structureGap));
-  target.write(section, "structureTolerance", profile.structureTolerance);
-  target.write(section, "pHit", update.pHit);
-  target.write(section, "pMiss", update.pMiss);
-  target.write(section, "pMin", update.pMin);
-  target.write(section, "pMax", update.pMax);
+  writeExactly(target, section, "structureGap", gapInDegrees(profile.structureGap));
+  writeExactly(target, section, "structureTolerance", profile.structureTolerance);
+  writeExactly(target, section, "pHit", update.pHit);
+  writeExactly(target, section, "pMiss", update.pMiss);
+  writeExactly(target, section, "pMin", update.pMin);
+  writeExactly(target, section, "pMax", update.pMax);
   target.write(section, "insert2D", insert2D);
 }
 

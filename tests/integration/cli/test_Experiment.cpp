@@ -150,7 +150,7 @@ TEST(Experiment, ScanShapeWritesTablesAndPictures)
   }
 }
 
-TEST(Experiment, ScanShapeShowsGhostsAndLintels)
+TEST(Experiment, ScanShapeShowsGhostsAndPeople)
 {
   const TempDir dir;
   ASSERT_EQ(0, mapconv({"experiment", kScanShapeIni, "-o", dir.path("out"), "--quick"}).status);
@@ -160,29 +160,65 @@ TEST(Experiment, ScanShapeShowsGhostsAndLintels)
   EXPECT_GT(number(cut[1], 5), 500);   // real ghosts on the map without the cut
   EXPECT_LT(number(cut[1], 7), number(cut[1], 5) / 2);
 
-  const auto regions = rowsOf(dir.path("out/regions.csv"));
-  ASSERT_EQ(9u, regions.size());
-  const Row store = rowWith(regions, {"door_3", "lintelDoor"});
-  EXPECT_GT(std::stod(store.at(3)), 30) << "the store is seen through its door";
-  EXPECT_LT(std::stod(store.at(4)), 5) << "its lintel should hide it, from where the drive begins";
-
   const Row people = rowWith(rowsOf(dir.path("out/people.csv")), {"all"});
   EXPECT_GT(number(people, 1), 100);
   EXPECT_EQ(0, number(people, 5));
   for (std::size_t i = 2; i <= 5; ++i) EXPECT_LE(number(people, i), number(people, i - 1)) << i;
 }
 
-TEST(Experiment, ScanShapeTriesItsDefaultsThreeTimes)
+TEST(Experiment, ScanShapeLooksIntoRoomsFromOutside)
 {
   const TempDir dir;
   ASSERT_EQ(0, mapconv({"experiment", kScanShapeIni, "-o", dir.path("out"), "--quick"}).status);
+  const auto whole = rowsOf(dir.path("out/regions.csv"));
+  const auto outside = rowsOf(dir.path("out/regions_outside.csv"));
+  ASSERT_EQ(9u, whole.size());
+  ASSERT_EQ(17u, outside.size());
+  for (std::size_t i = 1; i < whole.size(); ++i)
+  {
+    EXPECT_GT(number(whole[i], 2), 1) << "truly free area of " << whole[i].at(0);
+    const Row row = rowWith(outside, {whole[i].at(0), whole[i].at(1), "0.00"});
+    EXPECT_EQ("8.0", row.at(3)) << "the drive begins in the hall";
+    EXPECT_EQ(Row(whole[i].begin() + 3, whole[i].begin() + 5),
+              Row(row.begin() + 5, row.begin() + 7));
+  }
+  const Row meeting = rowWith(outside, {"door_8", "lintelDoor", "1.20"});
+  EXPECT_LT(number(meeting, 3), 8) << "it begins near the glass";
+  const Row store = rowWith(outside, {"door_3", "lintelDoor", "1.20"});
+  EXPECT_EQ("8.0", store.at(3));
+  EXPECT_GT(number(store, 4), 5) << "it is really seen through its door";
+  EXPECT_GT(number(store, 5), 2 * number(store, 4)) << "most of that is made up by ghosts";
+  EXPECT_EQ(0, number(store, 6)) << "its lintel should hide it, from where the drive begins";
+}
+
+TEST(Experiment, ScanShapeLeavesOutScansFromInsideTheRoom)
+{
+  const TempDir dir;
+  std::string text =
+      replaced(readBytes(kScanShapeIni), "../worlds/office.ini", kConfig + "worlds/office.ini");
+  // the hall, where the drive begins, as the room of door 8
+  text = replaced(text, "room = 5.47 9.27 12.33 16.02", "room = 0.02 6.74 24.07 9.39");
+  std::ofstream(dir.path("e.ini")) << text;
+  ASSERT_EQ(0, mapconv({"experiment", dir.path("e.ini"), "-o", dir.path("out"), "--quick"}).status);
+  const Row row = rowWith(rowsOf(dir.path("out/regions_outside.csv")), {"door_8"});
+  EXPECT_EQ("0.0", row.at(3));
+  for (std::size_t i = 4; i < row.size(); ++i) EXPECT_EQ(0, number(row, i)) << i;
+}
+
+TEST(Experiment, ScanShapeTriesItsDefaultsThreeTimes)
+{
+  const TempDir dir;
+  const Outcome outcome = mapconv({"experiment", kScanShapeIni, "-o", dir.path("out"), "--quick"});
+  ASSERT_EQ(0, outcome.status);
+  EXPECT_TRUE(contains(outcome.out, "The drive of seed 11,"));
   const auto increments = rowsOf(dir.path("out/increments.csv"));
-  EXPECT_EQ(21u, increments.size());
-  const Row defaults = rowWith(increments, {"0.90", "0.40"});
-  EXPECT_EQ("35/6", defaults.at(2));
-  EXPECT_EQ("10", defaults.at(9));
+  EXPECT_EQ(31u, increments.size());
+  const Row defaults = rowWith(increments, {"0.70", "0.45"});
+  EXPECT_EQ("14/3", defaults.at(2));
+  EXPECT_EQ("19", defaults.at(9));
+  EXPECT_EQ("10", rowWith(increments, {"0.90", "0.40"}).at(9));
+  EXPECT_EQ("12", rowWith(increments, {"0.90", "0.42"}).at(9));
   EXPECT_EQ("6", rowWith(increments, {"0.90", "0.35"}).at(9));
-  EXPECT_EQ("19", rowWith(increments, {"0.90", "0.45"}).at(9));
   const auto parameters = rowsOf(dir.path("out/parameters.csv"));
   EXPECT_EQ(7u, parameters.size());
   const Row scores(defaults.begin() + 3, defaults.begin() + 9);
@@ -219,10 +255,39 @@ TEST(Experiment, BadScanShapeFilesAreNamed)
   EXPECT_TRUE(contains(error("0.913 0.610 0.731", "0.913"), "section 'paper': closestPoint"));
   EXPECT_TRUE(contains(error("0.8 0.9 0.97", "0.8 0.4"), "section 'sweep': pHit = 0.4"));
   EXPECT_TRUE(contains(error("1258 2516", "12.5 2516"), "section 'sweep': sectors"));
+  EXPECT_TRUE(contains(error("= 11 12", "= 11 3"), "section 'sweep': seeds = '11 3'"));
   EXPECT_TRUE(contains(error("structureTolerance = 0 ", "structureTolerance = -3 "),
                        "section 'sweep': structureTolerance = -3"));
   EXPECT_TRUE(contains(error("3.63 4.42 6.31", "6.31 4.42 3.63"), "section 'region.door_1': area"));
+  EXPECT_TRUE(
+      contains(error("margins = 0 1.2", "margins = 0 -1"), "section 'regions': margins = '0 -1'"));
+  EXPECT_TRUE(contains(error("room = 0.02 0.03 6.42 6.86", ""), "section 'region.door_1': room"));
+  EXPECT_TRUE(contains(error("6.31 6.74", "6.31 66.74"),
+                       "section 'region.door_1': area = '3.63 4.42 6.31 66.74'"));
+  EXPECT_TRUE(contains(error("3.63 4.42 6.31 6.74", "0.05 2.4 0.45 3.3"),
+                       "section 'region.door_1': area = '0.05 2.4 0.45 3.3'"));  // a cupboard
+  EXPECT_TRUE(contains(error("0.02 0.03 6.42 6.86", "50 0.03 56 6.86"),
+                       "section 'region.door_1': room = '50 0.03 56 6.86'"));
   EXPECT_TRUE(contains(error("kind = openDoor", "kind = window"),
                        "section 'region.door_4': kind = 'window'"));
   EXPECT_TRUE(contains(error("[region.door_4]", "[regoin.door_4]"), "section 'regoin.door_4'"));
+}
+
+TEST(Experiment, ScanShapePosesMustStayInTheWorld)
+{
+  const TempDir dir;
+  const std::string office = readBytes(kConfig + "worlds/office.ini");
+  const std::string experiment =
+      replaced(readBytes(kScanShapeIni), "../worlds/office.ini", "office.ini");
+  const auto error = [&](const std::string& from, const std::string& to)
+  {
+    std::ofstream(dir.path("office.ini")) << replaced(office, from, to);
+    return experimentError(dir, experiment);
+  };
+  const std::string far = error("posePosition = 0.01 ", "posePosition = 1000 ");
+  for (const char* part : {"office.ini: section 'noise'", "posePosition or poseAngle", "outside"})
+    EXPECT_TRUE(contains(far, part)) << far;
+  const std::string tilted = error("poseAngle = 0.1 ", "poseAngle = 100 ");
+  for (const char* part : {"office.ini: section 'noise'", "posePosition or poseAngle", "slices"})
+    EXPECT_TRUE(contains(tilted, part)) << tilted;
 }

@@ -213,7 +213,8 @@ TEST_F(Insert, summaryIsForPeople)
   ASSERT_EQ(0, run.status) << run.err;
   for (const char* part :
        {"rawlog (1 scan)", "7 (7 x 1) of 0.5 m", "5 free", "2 occupied", "0 unknown", "wholeShape",
-        "1 3D scans with 5 points, 0 2D scans", "25.0 % of the azimuths", "3D scans/s", "points/s"})
+        "1 3D scans with 5 points, 0 2D scans", "25.0 % of the azimuths", "3D scans/s",
+        "points/s of insertion, decoding included", "sectors = 4"})
     EXPECT_TRUE(contains(run.out, part)) << part << " in\n" << run.out;
   EXPECT_FALSE(contains(run.out, "skipped")) << run.out;
 }
@@ -237,16 +238,29 @@ TEST_F(Insert, scansIn2DAreCountedAndWarnedOf)
   const auto run = insert("both.simplemap");
   ASSERT_EQ(0, run.status) << run.err;
   EXPECT_EQ(1, warningsIn(run.err)) << run.err;
-  EXPECT_TRUE(contains(run.err, "insert2D = false")) << run.err;
+  EXPECT_TRUE(contains(run.err, "--no-2d") && contains(run.err, "insert2D = false")) << run.err;
   EXPECT_EQ(1, parseJson(run.out)["scans2D"].number);
   EXPECT_GT(readRaster(output("map.tif")).height, 1) << "its ray to the side";
+}
 
-  std::ofstream(m_dir.path("row.ini"), std::ios::app) << "insert2D = false\n";
-  const JsonValue json = inserted("both.simplemap");
-  EXPECT_EQ(0, json["scans2D"].number);
-  EXPECT_EQ(1, json["skipped"].number);
-  EXPECT_EQ(1, json["skippedBecause"]["a 2D scan, and insert2D = false"].number);
-  EXPECT_EQ(1, readRaster(output("map.tif")).height);
+TEST_F(Insert, scansIn2DAreLeftOutByFlagAndByIni)
+{
+  writeSimpleMap(m_dir.path("both.simplemap"), {chairWallAndGhost(0), scan2D(0)});
+  const auto expectLeftOut = [this](const JsonValue& json)
+  {
+    EXPECT_FALSE(json["parameters"]["insert2D"].truth);
+    EXPECT_EQ(0, json["scans2D"].number);
+    EXPECT_EQ(1, json["skipped"].number);
+    const auto& reasons = json["skippedBecause"].object;
+    ASSERT_EQ(1U, reasons.size());
+    EXPECT_TRUE(contains(reasons.begin()->first, "2D")) << reasons.begin()->first;
+    EXPECT_EQ(1, readRaster(output("map.tif")).height);
+  };
+  expectLeftOut(inserted("both.simplemap", {"--no-2d"}));
+  std::ofstream(m_dir.path("row.ini"), std::ios::app) << "insert2D = true\n";
+  expectLeftOut(inserted("both.simplemap", {"--no-2d"}));
+  std::ofstream(m_dir.path("row.ini")) << kIni << "insert2D = false\n";
+  expectLeftOut(inserted("both.simplemap"));
 }
 
 TEST_F(Insert, optionsFor2DScansAreReadAsWell)
@@ -266,33 +280,35 @@ TEST_F(Insert, skippedScansAreCountedWithTheirReason)
   const auto empty = cloudOn({}, {0.25, 0.25, 1}, 1);
   const auto floorOnly = cloudOn({{1.25f, 0.25f, 0.01f}}, {0.25, 0.25, 1}, 2);
   const auto high = cloudOn({{1.25f, 0.25f, 0.5f}}, {0.25, 0.25, 9}, 3);
+  const auto higher = cloudOn({{1.25f, 0.25f, 0.5f}}, {0.25, 0.25, 11}, 5);
   const auto nowhere = cloudOn({{1.25f, 0.25f, 0.5f}}, {0.25, 0.25, 1}, 4);
   nowhere->setSensorPose(mrpt::poses::CPose3D(NAN, 0, 1, 0, 0, 0));
   writeObjects(m_dir.path("odd.rawlog"),
-               {chairWallAndGhost(0), empty, floorOnly, high, nowhere, floorOnly});
+               {chairWallAndGhost(0), empty, floorOnly, high, nowhere, floorOnly, higher});
   const auto run = insert("odd.rawlog", {"--static"});
   ASSERT_EQ(0, run.status) << run.err;
   const JsonValue json = parseJson(run.out);
   EXPECT_EQ(1, json["scans3D"].number);
   EXPECT_EQ(5, json["points"].number) << "of the scans that were inserted";
-  EXPECT_EQ(5, json["skipped"].number);
+  EXPECT_EQ(6, json["skipped"].number);
   double reasons = 0;
   std::string all;
   for (const auto& [why, count] : json["skippedBecause"].object)
   {
     reasons += count.number;
-    all += why + "; ";
+    all += std::to_string(static_cast<int>(count.number)) + ": " + why + "; ";
+    EXPECT_TRUE(contains(run.err, why)) << why << " is what the map has warned of: " << run.err;
   }
-  EXPECT_EQ(5, reasons);
-  for (const char* part : {"no usable point", "no object", "the sensor is 9 m above"})
+  EXPECT_EQ(6, reasons);
+  for (const char* part : {"1: it has no usable point", "2: it has no object",
+                           "1: its pose is not finite", "2: the sensor is 9 m above"})  // and 11 m
     EXPECT_TRUE(contains(all, part)) << part << " in " << all;
   const double f = kFreeOnce, o = kHitOnce;
   expectRow(0, {f, f, f, o, f, f, o}, "as without them");
 
   const auto text = mapconv({"insert", m_dir.path("odd.rawlog"), "-o", m_dir.path("out"), "-c",
                              m_dir.path("row.ini"), "--static"});
-  EXPECT_TRUE(contains(text.out, "skipped      1: no usable point; 2: the sensor is 9 m"))
-      << text.out;
+  EXPECT_TRUE(contains(text.out, "\nskipped      2: it has no object between")) << text.out;
 }
 
 TEST_F(Insert, theResultIsTheSameWhateverTheGridHasGrownTo)

@@ -66,6 +66,8 @@ TEST(Usage, wrongUsageIsStatus2AndOneLineThatNamesIt)
       {{"project", input, "-o", dir.path("out")}, "--z-m"},
       {{"insert"}, "INPUT"},
       {{"insert", input}, "--output"},
+      {{"insert", "-o", dir.path("out"), "--structure", "2.2", "2.6"}, "INPUT"},
+      {{"insert", input, "-o", dir.path("out"), "--no-2d", "0"}, "0"},
       {{"info"}, "FILE"},
       {{"run"}, "program"},
       {{"run", "--"}, "program"},

@@ -1,9 +1,9 @@
 // Makes the calls of RawLogViewer's form "build map from raw sensory data": the plugin that -l
 // names is loaded, maps are made from ini text with the section prefix "map", a rawlog is inserted.
 // This process is not linked to our library; it knows the map only as the MRPT class that it
-// derives from.
+// derives from, and the name of the CLASS that the ini is to make.
 //
-//   raw_map_form INI RAWLOG [PLUGIN]
+//   raw_map_form INI RAWLOG CLASS [PLUGIN]
 #include <mrpt/config/CConfigFileMemory.h>
 #include <mrpt/maps/CMultiMetricMap.h>
 #include <mrpt/maps/COccupancyGridMap2D.h>
@@ -44,11 +44,11 @@ void insertAll(const mrpt::obs::CRawlog& log, mrpt::maps::CMultiMetricMap& maps)
 
 int main(int argc, char** argv)
 {
-  if (argc < 3) return 2;
-  if (argc > 3)
+  if (argc < 4) return 2;
+  if (argc > 4)
   {
     std::string error;
-    if (!mrpt::system::loadPluginModules(argv[3], error))
+    if (!mrpt::system::loadPluginModules(argv[4], error))
     {
       std::printf("plugin: %s\n", error.c_str());
       return 1;
@@ -56,9 +56,10 @@ int main(int argc, char** argv)
   }
   auto maps = mapsFrom(argv[1]);
   const auto grid = maps.mapByClass<mrpt::maps::COccupancyGridMap2D>();
-  if (!grid || std::string(grid->GetRuntimeClass()->className).rfind("mrpt_mapconv::", 0) != 0)
+  const std::string made = grid ? grid->GetRuntimeClass()->className : "no grid map";
+  if (made != argv[3])
   {
-    std::printf("no map of ours was made\n");
+    std::printf("%s was made instead of %s\n", made.c_str(), argv[3]);
     return 1;
   }
   mrpt::obs::CRawlog log;

@@ -40,15 +40,18 @@ TEST(CScanShapeGridMap2D, TheFloorIsFreeTheWallsAreOccupiedAndTheRestIsUnknown)
   auto map = mapForRooms();
   ASSERT_TRUE(map.insertObservation(scanOf(room, CPose3D()), CPose3D()));
   EXPECT_FALSE(map.isEmpty());
-  // by hand: one hit is 35/16, one miss 6/16 of log-odds
-  EXPECT_NEAR(map.getPos(1.05f, 1.05f), 0.593f, 0.001f);
-  EXPECT_NEAR(map.getPos(-2.05f, -1.05f), 0.593f, 0.001f);
+  // a cell of n sixteenths of log-odds is free with 1/(1 + exp(-n/16))
+  const scan::LogOddsUpdate update;
+  const double miss = 1 / (1 + std::exp(-update.miss() / 16.0)),
+               hit = 1 / (1 + std::exp(update.hit() / 16.0));
+  EXPECT_NEAR(map.getPos(1.05f, 1.05f), miss, 0.001);
+  EXPECT_NEAR(map.getPos(-2.05f, -1.05f), miss, 0.001);
   for (int i = -3; i <= 3; ++i)
   {
     const float along = 0.5f * static_cast<float>(i) + 0.05f;
     // points on a wall lie on the border of two cells
-    EXPECT_NEAR(std::min(map.getPos(3.05f, along), map.getPos(2.95f, along)), 0.1f, 0.01f) << along;
-    EXPECT_NEAR(std::min(map.getPos(along, 2.05f), map.getPos(along, 1.95f)), 0.1f, 0.01f) << along;
+    EXPECT_NEAR(std::min(map.getPos(3.05f, along), map.getPos(2.95f, along)), hit, 0.01) << along;
+    EXPECT_NEAR(std::min(map.getPos(along, 2.05f), map.getPos(along, 1.95f)), hit, 0.01) << along;
     EXPECT_EQ(map.getPos(3.25f, along), 0.5f) << along;
     EXPECT_EQ(map.getPos(along, -2.25f), 0.5f) << along;
   }
@@ -282,26 +285,64 @@ TEST(CScanShapeGridMap2D, OtherObservationsAnd2DScansOnRequestAreIgnored)
   EXPECT_TRUE(map.insertObservation(scan2DOf(Room(), CPose3D()), CPose3D()));
 }
 
-TEST(CScanShapeGridMap2D, Refused2DScansDoNotGrowTheGrid)
+/** Its rays end in a room whose 3D scan is there: MRPT's margin around them is all that is added.
+ */
+TEST(CScanShapeGridMap2D, A2DScanClaimsNoMoreRoomThanItsRaysNeed)
 {
-  auto map = mapOf(Room());
-  const auto before = bytes(map);
-  const CPose3D robot(20, 20, 0);
-  auto scan = scan2DOf(Room{10, 30, 10, 30, 2.5}, robot);
-  scan.sensorPose = CPose3D(0, 0, 0.4, 0, 0.1, 0);  // tilted
-  EXPECT_FALSE(map.insertObservation(scan, robot));
-  EXPECT_EQ(bytes(map), before);
+  const auto before = mapOf(Room());
+  auto map = before;
+  ASSERT_TRUE(map.insertionOptions.considerInvalidRangesAsFreeSpace);
+  map.setSize(-4.7f, 4.7f, -3.7f, 3.7f, 0.1f);  // 17 cells around the room
+  ASSERT_TRUE(map.insertObservation(scan2DOf(Room(), CPose3D()), CPose3D()));
+  EXPECT_EQ(map.frame(), (grid::GridFrame{0.1, -47, -37, 94, 74}));
 
-  scan.sensorPose = CPose3D(0, 0, 0.4);
-  map.insertionOptions.useMapAltitude = true;
-  map.insertionOptions.mapAltitude = 0.4f + 0.002f;
-  const auto withAltitude = bytes(map);
-  EXPECT_FALSE(map.insertObservation(scan, robot));
-  EXPECT_EQ(bytes(map), withAltitude);
-  map.insertionOptions.mapAltitude = 0.4f;
-  EXPECT_TRUE(map.insertObservation(scan, robot));
+  auto ahead = mapForRooms();  // nothing behind a scanner that looks ahead
+  auto scan = scan2DOf(Room{-3, 13, -2, 2, 2.5}, CPose3D());
+  for (std::size_t i = 0; i < scan.getScanSize(); ++i) scan.setScanRange(i, 12);
+  scan.aperture = 0.2f;
+  ASSERT_TRUE(ahead.insertObservation(scan, CPose3D()));
+  // by hand: 12 m and 2 x 1.6 m along x, of which a quarter is added on either side; 2.4 m across
+  EXPECT_GT(ahead.getXMin(), -1.6 - 3.9);
+  EXPECT_LT(ahead.getXMax(), 13.6 + 3.9);
+  EXPECT_LT(ahead.getYMax(), 1.2 + 1.6 + 1.5);
+  EXPECT_LT(cellAt(ahead, 119, 0) + cellAt(ahead, 120, 0), 0) << "the end of the rays";
+}
 
-  EXPECT_FALSE(map.insertObservation(mrpt::obs::CObservation2DRangeScan(), robot));
+/** MRPT lays rays of maxDistanceInsertion / 2, or of half the last valid one. */
+TEST(CScanShapeGridMap2D, InvalidRaysOfA2DScanHaveRoom)
+{
+  for (const bool widening : {false, true})
+  {
+    auto map = mapForRooms();
+    map.insertionOptions.wideningBeamsWithDistance = widening;
+    auto scan = scan2DOf(Room{-9, 12, -6, 7, 2.5}, CPose3D());
+    for (std::size_t i = 0; i < scan.getScanSize(); ++i) scan.setScanRangeValidity(i, i == 200);
+    ASSERT_TRUE(map.insertObservation(scan, CPose3D()));
+    mrpt::maps::COccupancyGridMap2D own(map.getXMin(), map.getXMax(), map.getYMin(), map.getYMax(),
+                                        map.getResolution());
+    own.insertionOptions = map.insertionOptions;
+    own.insertObservation(scan, CPose3D());
+    ASSERT_EQ(map.getSizeX(), own.getSizeX()) << "the base class has grown its grid";
+    ASSERT_EQ(map.getSizeY(), own.getSizeY());
+    EXPECT_EQ(map.getRawMap(), own.getRawMap());
+    EXPECT_GT(map.getPos(-3, -3.5f), 0.5f);
+  }
+}
+
+/** Far rays without any near the sensor: MRPT counts on its cell. */
+TEST(CScanShapeGridMap2D, A2DScanOfOneWideRayHasRoom)
+{
+  auto map = mapForRooms();
+  map.insertionOptions.wideningBeamsWithDistance = true;
+  auto scan = scan2DOf(Room{-9, 9, -9, 9, 2.5}, CPose3D());
+  scan.resizeScan(1);
+  scan.setScanRange(0, 10);
+  scan.setScanRangeValidity(0, true);
+  scan.aperture = 3;
+  ASSERT_TRUE(map.insertObservation(scan, CPose3D()));
+  const grid::GridFrame frame = map.frame();
+  // by hand: MRPT lays this ray 1.5 rad to the right, and spreads it by 1.5 rad to either side
+  EXPECT_TRUE(frame.containsKey(0, 0) && frame.containsKey(99, 0) && frame.containsKey(-98, -14));
 }
 
 TEST(CScanShapeGridMap2D, PointsThatAreNotFiniteAreLeftOut)
@@ -352,9 +393,27 @@ TEST(CScanShapeGridMap2D, SaysAtLevelDebugWhatItFoundInEachScan)
   map.log().logRegisterCallback([&](std::string_view text, const mrpt::system::VerbosityLevel,
                                     std::string_view, const mrpt::Clock::time_point)
                                 { said.emplace_back(text); });
+  map.insertObservation(scanOf(Room(), CPose3D()), CPose3D());  // says more, see below
+  said.clear();
   for (int i = 0; i < 2; ++i) map.insertObservation(scanOf(Room(), CPose3D()), CPose3D());
   ASSERT_EQ(said.size(), 2u);
   EXPECT_TRUE(contains(said[0], "'LIDAR'") && contains(said[0], "a wall on 100.0 %")) << said[0];
+}
+
+/** At a level that stock programs show. */
+TEST(CScanShapeGridMap2D, SaysWhatShareOfTheFirst3DScanHasAWall)
+{
+  auto map = mapForRooms();
+  std::vector<std::string> said;
+  map.log().setVerbosityLevelForCallbacks(mrpt::system::LVL_INFO);
+  map.log().logRegisterCallback([&](std::string_view text, const mrpt::system::VerbosityLevel,
+                                    std::string_view, const mrpt::Clock::time_point)
+                                { said.emplace_back(text); });
+  map.insertObservation(scan2DOf(Room(), CPose3D()), CPose3D());
+  EXPECT_TRUE(said.empty());
+  for (int i = 0; i < 3; ++i) map.insertObservation(scanOf(Room(), CPose3D()), CPose3D());
+  ASSERT_EQ(said.size(), 1u);
+  EXPECT_TRUE(contains(said[0], "'LIDAR': a wall on 100.0 % of ")) << said[0];
 }
 
 TEST(CScanShapeGridMap2D, ItsLayersAreProbabilitiesAndOccupancies)
@@ -421,5 +480,6 @@ TEST(CScanShapeGridMap2D, RealScans)
   }
   EXPECT_GT(countCells(map, [](int cell) { return cell > 0; }), 1000u);
   EXPECT_GT(countCells(map, [](int cell) { return cell < 0; }), 200u);
-  EXPECT_GT(map.getPos(0.55f, 0.55f), 0.67f);  // free around the robot, at least twice
+  const double twice = 1 / (1 + std::exp(-2 * scan::LogOddsUpdate().miss() / 16.0));
+  EXPECT_GT(map.getPos(0.55f, 0.55f), twice - 0.01);  // free around the robot
 }

@@ -291,6 +291,26 @@ TEST(CScanShapeGridMap2D_io, TheReflectionFilterNeedsItsSliceInTheIni)
   EXPECT_TRUE(fromIni("[map_scanShapeGrid_00_insertOpts]\nreflectionFilter=false\n"));
 }
 
+/** Not only at the first scan. */
+TEST(CScanShapeGridMap2D_io, CellsTooFineForTheRangeAreAnErrorOfTheIni)
+{
+  const std::string creation = "[map_scanShapeGrid_00_creationOpts]\nresolution=";
+  try
+  {
+    fromIni(kInsertOpts + creation + "0.001\n");
+    ADD_FAILURE() << "no exception";
+  }
+  catch (const std::exception& error)
+  {
+    const std::string message = error.what();
+    EXPECT_TRUE(contains(message,
+                         "section 'map_scanShapeGrid_00_insertOpts': maxRange = 20 is not valid: "
+                         "with resolution = 0.001 m it must be at most 10 m (10000 cells)"))
+        << message;
+  }
+  EXPECT_TRUE(fromIni(kInsertOpts + "maxRange=9.9\n" + creation + "0.001\n"));
+}
+
 TEST(CScanShapeGridMap2D_io, UnknownKeysAndSectionsAreNamedInOneWarningEach)
 {
   testing::internal::CaptureStderr();

@@ -1,5 +1,7 @@
 #include <mrpt/maps/CMultiMetricMap.h>
 
+#include <memory>
+
 #include "CountAllocations.h"
 #include "ScanShapeFixtures.h"
 
@@ -20,6 +22,8 @@ TEST(CScanShapeGridMap2DInSlam, ASeriesOfScansNeedsNoMoreMemory)
     robots.emplace_back(0.3 * i, 0.2 * i, 0, 0.3 * i, 0, 0);
     scans.push_back(scanOf(room, robots.back()));
   }
+  mrpt::obs::CObservationPointCloud empty;
+  empty.sensorLabel = "a label that is longer than what a string holds by itself";
   auto map = mapForRooms();
   const auto insertAll = [&]
   {
@@ -28,6 +32,16 @@ TEST(CScanShapeGridMap2DInSlam, ASeriesOfScansNeedsNoMoreMemory)
   };
   EXPECT_GT(allocationsOf(insertAll), 0u) << "allocations are not counted";
   EXPECT_EQ(allocationsOf(insertAll), 0u);
+
+  scans[1].pointcloud->insertPointFast(std::nanf(""), 1, 1);
+  const auto insertOdd = [&]
+  {
+    ASSERT_TRUE(map.insertObservation(scans[1], robots[1]));
+    ASSERT_FALSE(map.insertObservation(scans[2], CPose3D(std::nan(""), 0, 0)));
+    ASSERT_FALSE(map.insertObservation(empty, robots[2]));
+  };
+  EXPECT_GT(allocationsOf(insertOdd), 0u) << "what is said first";
+  EXPECT_EQ(allocationsOf(insertOdd), 0u);
 }
 
 TEST(CScanShapeGridMap2DInSlam, ACopyIsIndependentAndSmall)
@@ -50,6 +64,71 @@ TEST(CScanShapeGridMap2DInSlam, ACopyIsIndependentAndSmall)
   // MRPT's maps have some ten small blocks of their own, whatever they hold
   const auto plain = allocationsOf([&] { const mrpt::maps::COccupancyGridMap2D base(map); });
   EXPECT_LT(allocationsOf([&] { const CScanShapeGridMap2D another(map); }), plain + 10);
+}
+
+/** Resampling assigns maps to one another: that must not throw away what insertions work with. */
+TEST(CScanShapeGridMap2DInSlam, AMapThatIsAssignedToKeepsItsBuffers)
+{
+  const Room room;
+  const auto scan = scanOf(room, CPose3D());
+  const auto source = mapOf(room);
+  auto map = mapOf(room), fresh = mapOf(room);
+  map = source;
+  EXPECT_EQ(map.lastScan().points, 0u);
+  const auto kept = allocationsOf([&] { map.insertObservation(scan, CPose3D()); });
+  CScanShapeGridMap2D copy(source);
+  const auto made = allocationsOf([&] { copy.insertObservation(scan, CPose3D()); });
+  EXPECT_EQ(kept, 0u);
+  EXPECT_GT(made, 10u);
+  EXPECT_EQ(bytes(map), bytes(copy));
+}
+
+/** Each particle has a map of its own, and all are copied at every resampling. */
+TEST(CScanShapeGridMap2DInSlam, WhatOneCopyHasSaidTheOthersDoNotRepeat)
+{
+  const Room room, high{-3, 3, -2, 2, 9};
+  auto map = mapForRooms();
+  map.scanInsertionOptions.profile.structureMinZ = 8.8;
+  map.scanInsertionOptions.profile.structureMaxZ = 8.9;
+  CScanShapeGridMap2D earlier(map), assigned = mapForRooms();
+  assigned = map;
+  std::size_t said = 0;
+  std::vector<std::unique_ptr<WarningsOf>> warnings;
+  const auto insertInto = [&](CScanShapeGridMap2D& each)
+  {
+    each.log().logging_enable_console_output = false;
+    warnings.push_back(std::make_unique<WarningsOf>(each));
+    ASSERT_TRUE(each.insertObservation(scanOf(high, CPose3D()), CPose3D()));
+    ASSERT_FALSE(each.insertObservation(mrpt::obs::CObservationPointCloud(), CPose3D()));
+    said += warnings.back()->texts.size();
+  };
+  insertInto(map);
+  EXPECT_EQ(said, 2u);
+  CScanShapeGridMap2D later(map);
+  for (auto* copy : {&earlier, &assigned, &later}) insertInto(*copy);
+  EXPECT_EQ(said, 2u);
+  CScanShapeGridMap2D other;
+  other.scanInsertionOptions = map.scanInsertionOptions;
+  insertInto(other);
+  EXPECT_EQ(said, 4u) << "another map has not said anything yet";
+}
+
+/** A callback may hold what does not live as long as a copy. */
+TEST(CScanShapeGridMap2DInSlam, ACopyHasALoggerOfItsOwn)
+{
+  auto map = mapForRooms();
+  const WarningsOf warnings(map);
+  CScanShapeGridMap2D copy(map), assigned;
+  const WarningsOf ofAssigned(assigned);
+  assigned = map;
+  EXPECT_TRUE(copy.log().logging_enable_console_output);
+  for (auto* each : {&copy, &assigned})
+  {
+    each->log().logging_enable_console_output = false;
+    each->log().logStr(mrpt::system::LVL_WARN, "a test");
+  }
+  EXPECT_TRUE(warnings.texts.empty());
+  EXPECT_EQ(ofAssigned.texts.size(), 1u) << "a map that is assigned to keeps its own";
 }
 
 TEST(CScanShapeGridMap2DInSlam, AParticlesCopyIsTheSameMap)
@@ -83,14 +162,26 @@ TEST(CScanShapeGridMap2DInSlam, TheLikelihoodIsThatOfTheLastMapAndBestAtTheRight
   }
 }
 
-/** MRPT's mean-information likelihood inserts the scan that it asks for, in a map that is const. */
-TEST(CScanShapeGridMap2DInSlam, A3DScanWhoseLikelihoodIsAskedForIsNotInserted)
+/** MRPT's mean-information likelihood inserts the scan that it asks for, in a map that is const. It
+ * counts none of a 2D scan's rays, so that the result is -inf in its own grid as well. */
+TEST(CScanShapeGridMap2DInSlam, AScanWhoseLikelihoodIsAskedForIsNotInserted)
 {
   auto map = mapOf(Room());
+  map.maxGridCells = 1e6;
   map.likelihoodOptions.likelihoodMethod = mrpt::maps::COccupancyGridMap2D::lmMeanInformation;
-  const auto before = map.getRawMap();
-  map.computeObservationLikelihood(scanOf(Room{-9, 9, -9, 9, 2.5}, CPose3D()), CPose3D());
-  EXPECT_EQ(map.getRawMap(), before);
+  mrpt::maps::COccupancyGridMap2D own(-20, 20, -20, 20, 0.1f);
+  own.likelihoodOptions.likelihoodMethod = map.likelihoodOptions.likelihoodMethod;
+  const auto before = bytes(map);
+  const Room large{-9, 9, -9, 9, 2.5};
+  map.computeObservationLikelihood(scanOf(large, CPose3D()), CPose3D());
+  auto scan = scan2DOf(large, CPose3D());
+  const double expected = own.computeObservationLikelihood(scan, CPose3D());
+  EXPECT_EQ(map.computeObservationLikelihood(scan, CPose3D()), expected);
+  scan.setScanRange(7, -HUGE_VALF);
+  for (const double x : {0.0, 1e5, 1e12, std::nan("")})
+    EXPECT_EQ(map.computeObservationLikelihood(scan, CPose3D(x, 0, 0)), expected) << x;
+  EXPECT_EQ(bytes(map), before);
+  EXPECT_FALSE(map.updateInfoChangeOnly.enabled);
 }
 
 TEST(CScanShapeGridMap2DInSlam, PointsAreMatchedWithItsWalls)

@@ -4,6 +4,7 @@
 #include <mrpt_mapconv/maps/GridInsertionOptions.h>
 #include <mrpt_mapconv/maps/ScanInsertionOptions.h>
 
+#include <array>
 #include <cmath>
 #include <functional>
 #include <sstream>
@@ -46,7 +47,7 @@ void expectSame(const TScanInsertionOptions& a, const TScanInsertionOptions& b)
   EXPECT_EQ(a.profile.minRange, b.profile.minRange);
   EXPECT_EQ(a.profile.maxRange, b.profile.maxRange);
   EXPECT_EQ(a.profile.sectors, b.profile.sectors);
-  EXPECT_NEAR(a.profile.structureGap, b.profile.structureGap, 1e-8);  // MRPT writes 7 digits
+  EXPECT_DOUBLE_EQ(a.profile.structureGap, b.profile.structureGap);  // by way of degrees
   EXPECT_EQ(a.profile.structureTolerance, b.profile.structureTolerance);
   EXPECT_EQ(a.update.pHit, b.update.pHit);
   EXPECT_EQ(a.update.pMiss, b.update.pMiss);
@@ -87,24 +88,78 @@ TEST(ScanInsertionOptions, ReadsEveryKey)
              expected);
 }
 
-TEST(ScanInsertionOptions, TheObjectSliceEndsAtTheRobotsHeightUnlessToldOtherwise)
+TEST(ScanInsertionOptions, TheObjectSliceEndsAtTheRobotsHeight)
 {
   EXPECT_EQ(read(kSlice + "robotHeight = 0.8\n").profile.objectMaxZ, 0.8);
-  EXPECT_EQ(read(kSlice + "robotHeight = 0.8\nobjectMaxZ = 1.1\n").profile.objectMaxZ, 1.1);
+  EXPECT_EQ(read(kSlice + "robotHeight = 0.8\nobjectMaxZ = 0.8\n").profile.objectMaxZ, 0.8);
+  EXPECT_EQ(read(kSlice + "objectMinZ = 2\nrobotHeight = 2.1\n").profile.objectMinZ, 2);
+  const auto said = messageOf([] { read(kSlice + "robotHeight = 0.8\nobjectMaxZ = 1.1\n"); });
+  EXPECT_TRUE(contains(said, "robotHeight = '0.8'") && contains(said, "objectMaxZ = 1.1 m"))
+      << said;
+}
+
+TEST(ScanInsertionOptions, TheKeyThatIsBlamedIsOneThatIsThere)
+{
+  for (const auto& [text, begin, end] : std::vector<std::array<std::string, 3>>{
+           {"objectMinZ = 2\n", "objectMinZ = '2'", "below objectMaxZ = 1.5 m"},
+           {"objectMaxZ = 0.01\n", "objectMaxZ = '0.01'", "above objectMinZ = 0.05 m"},
+           {"robotHeight = 0.01\n", "robotHeight = '0.01'", "above objectMinZ = 0.05 m"},
+           {"objectMinZ = 2\nrobotHeight = 1\n", "robotHeight = '1'", "above objectMinZ = 2 m"},
+           {"maxRange = 0.2\n", "maxRange = '0.2'", "above minRange = 0.3 m"}})
+  {
+    const auto said = messageOf([&text = text] { read(kSlice + text); });
+    EXPECT_TRUE(contains(said, "section 'insert': " + begin) && contains(said, end)) << said;
+  }
+}
+
+TEST(ScanInsertionOptions, ModelsHaveTheirNamesInTheIni)
+{
+  EXPECT_EQ(maps::nameOf(scan::Model::WholeShape), "wholeShape");
+  EXPECT_EQ(maps::nameOf(scan::Model::ClosestPoint), "closestPoint");
+  for (const auto& name : maps::modelNames())
+    EXPECT_EQ(maps::nameOf(read(kSlice + "model = " + name + "\n").profile.model), name);
+}
+
+TEST(ScanInsertionOptions, MaxRangeHasToFitTheCells)
+{
+  auto options = read(kSlice);
+  EXPECT_NO_THROW(options.check(0.002));
+  try
+  {
+    options.check(0.001);
+    ADD_FAILURE() << "no exception";
+  }
+  catch (const std::invalid_argument& error)
+  {
+    EXPECT_STREQ(error.what(),
+                 "maxRange = 20 is not valid: with resolution = 0.001 m it must be at most 10 m "
+                 "(10000 cells)");
+  }
+  options.profile.maxRange = -1;
+  EXPECT_THROW(options.check(0.05), std::invalid_argument);
 }
 
 TEST(ScanInsertionOptions, WhatIsSavedReadsTheSame)
 {
-  for (const double gap : {-1.0, 0.02})
+  for (const double gap : {-1.0, 0.02, 0.0123456789012})
   {
     auto options = unusual();
     options.profile.structureGap = gap;
+    for (double* value :
+         {&options.profile.objectMinZ, &options.profile.objectMaxZ, &options.profile.structureMinZ,
+          &options.profile.structureMaxZ, &options.profile.minRange, &options.profile.maxRange,
+          &options.profile.structureTolerance, &options.update.pHit, &options.update.pMiss,
+          &options.update.pMin, &options.update.pMax})
+      *value *= 1.0123456789012345;
     mrpt::config::CConfigFileMemory ini;
     options.saveToConfigFile(ini, "insert");
     TScanInsertionOptions again;
     again.loadFromConfigFile(ini, "insert");
     expectSame(again, options);
   }
+  mrpt::config::CConfigFileMemory ini;
+  unusual().saveToConfigFile(ini, "insert");
+  EXPECT_EQ(ini.read_string("insert", "minRange", ""), "0.4") << "no more digits than needed";
 }
 
 TEST(ScanInsertionOptions, AStreamBringsThemBack)

@@ -198,7 +198,7 @@ std::size_t occupiedOf(const grid::Layer<float>& map, const CellMask& cells)
 }
 }  // namespace
 
-TEST(ScannedOffice, MirroredReturnsAreGhostsOnTheMapAndTheCutRemovesSome)
+TEST(ScannedOffice, MirroredReturnsAreGhostsOnTheMapAndTheCutRemovesMost)
 {
   const auto frame = wholeFrame();
   auto ghosts = ghostCells(frame);
@@ -211,13 +211,13 @@ TEST(ScannedOffice, MirroredReturnsAreGhostsOnTheMapAndTheCutRemovesSome)
   EXPECT_GT(without, 500u);
   // Not all: a free-standing mirror's lie within the room, a ceiling-high pane's walls are
   // mirrored, and so near a wall that the lidar does not see its upper end nothing is cut.
-  EXPECT_LT(with, without);
+  EXPECT_LT(2 * with, without);
 }
 
 TEST(ScannedOffice, TheWayTheWorldIsTurnedMattersLittle)
 {
   const double upright = fScoreAt(0);
-  EXPECT_GT(upright, 0.8);
+  EXPECT_GT(upright, 0.9);
   for (const double degrees : {17.0, 45.0})
   {
     const double turned = fScoreAt(mrpt::DEG2RAD(degrees));

@@ -3,12 +3,14 @@
 #include <mrpt/maps/COccupancyGridMap2D.h>
 #include <mrpt/system/COutputLogger.h>
 #include <mrpt_mapconv/grid/Layer.h>
+#include <mrpt_mapconv/maps/PointWarnings.h>
 #include <mrpt_mapconv/maps/ScanInsertionOptions.h>
 #include <mrpt_mapconv/scan/ScanProfile.h>
 
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 
 namespace mrpt::obs
 {
@@ -25,10 +27,13 @@ namespace mrpt_mapconv
  * class is followed: what is there is what the next scan is inserted into.
  *
  * Observations: see maps::sensorPoints(); 2D scans are inserted as COccupancyGridMap2D does, with
- * its own insertionOptions. Others are ignored. A scan that says nothing reliable (see
- * scan::UnusableScan; also a 2D one whose pose is not finite) is skipped with a warning; bad
- * options and a grid that would become too large are exceptions of insertObservation(). All of
- * these leave the map exactly as it was.
+ * its own insertionOptions, but rays that are not finite, or negative, count as invalid. Others are
+ * ignored. A scan that says nothing, or nothing reliable (no point or valid ray, no object, a pose
+ * that is not finite, see also scan::UnusableScan), is skipped with a warning, once for each reason
+ * and sensor; see lastSkip(). Bad options and a grid that would become too large, or lie too far
+ * away, are exceptions of insertObservation(). All of these leave the map exactly as it was. So do
+ * likelihoods: lmMeanInformation, for which MRPT's grid inserts the scan and counts none of its
+ * rays, is as little of use here, but inserts nothing.
  *
  * In an ini file, with any prefix that MRPT gives:
  * \code
@@ -53,7 +58,10 @@ class CScanShapeGridMap2D : public mrpt::maps::COccupancyGridMap2D
    * \exception std::invalid_argument for another resolution */
   explicit CScanShapeGridMap2D(double resolution = 0.05);
   ~CScanShapeGridMap2D() override;
-  /** Copies are made per particle: what is needed only during an insertion is not copied. */
+  /** Copies are made per particle: what is needed only during an insertion is not copied, and what
+   * one of them has said once, the others do not repeat (MRPT copies a CMultiMetricMap by way of a
+   * stream, which does not hold that). A copy has a logger of its own, without the callbacks and
+   * levels of the other's; a map that is assigned to keeps its logger. */
   CScanShapeGridMap2D(const CScanShapeGridMap2D& o);
   CScanShapeGridMap2D& operator=(const CScanShapeGridMap2D& o);
 
@@ -64,8 +72,10 @@ class CScanShapeGridMap2D : public mrpt::maps::COccupancyGridMap2D
   double maxGridCells = 4e8;
 
   /** What was found in the last 3D scan that was inserted into this object, or skipped for having
-   * no valid point; nothing if there was none. */
-  scan::ProfileStatistics lastScan() const;
+   * no valid object; nothing if there was none. */
+  scan::ProfileStatistics lastScan() const { return m_lastScan; }
+  /** Why the last observation changed nothing, in one line; empty if it was inserted. */
+  std::string lastSkip() const { return m_lastSkip; }
   /** Where the grid lies. */
   grid::GridFrame frame() const;
   /** Probability of occupancy of each cell, NaN where it is unknown (exactly 0.5). */
@@ -77,7 +87,7 @@ class CScanShapeGridMap2D : public mrpt::maps::COccupancyGridMap2D
   void saveMetricMapRepresentationToFile(const std::string& prefix) const override;
   std::string asString() const override;
 
-  /** Where warnings go and, at level DEBUG, what was found in each scan. */
+  /** Where warnings go, what was found in the first 3D scan and, at level DEBUG, in each. */
   mrpt::system::COutputLogger& log() { return m_log; }
 
  protected:
@@ -93,6 +103,9 @@ class CScanShapeGridMap2D : public mrpt::maps::COccupancyGridMap2D
   bool insert3D(const mrpt::obs::CObservation& obs, const mrpt::poses::CPose3D& robotPose);
   bool insert2D(const mrpt::obs::CObservation2DRangeScan& scan,
                 const mrpt::poses::CPose3D& robotPose);
+  bool skip(const mrpt::obs::CObservation& obs, std::string_view why);
+  bool skip(const mrpt::obs::CObservation& obs, std::string_view kind, std::string_view why);
+  void checkNear(const mrpt::poses::CPose3D& sensorPose) const;
   void report(const mrpt::obs::CObservation& obs);
   void startEmpty();
   bool isAsStarted() const;
@@ -102,7 +115,10 @@ class CScanShapeGridMap2D : public mrpt::maps::COccupancyGridMap2D
   void layOut(const grid::GridFrame& frame);
 
   mrpt::system::COutputLogger m_log;
+  maps::PointWarnings m_warnings;
   double m_cellSize;  //!< the resolution, which the base class rounds to a float [m]
+  scan::ProfileStatistics m_lastScan;
+  std::string m_lastSkip;
   std::unique_ptr<Workspace> m_work;  //!< made for the first 3D scan
 
   MAP_DEFINITION_START(CScanShapeGridMap2D)
@@ -111,6 +127,7 @@ class CScanShapeGridMap2D : public mrpt::maps::COccupancyGridMap2D
   mrpt_mapconv::maps::TScanInsertionOptions scanInsertionOpts;
   mrpt::maps::COccupancyGridMap2D::TInsertionOptions insertionOpts;
   mrpt::maps::COccupancyGridMap2D::TLikelihoodOptions likelihoodOpts;
+  mrpt_mapconv::maps::PointWarnings said;  //!< by all maps made of it, e.g. one per particle
   MAP_DEFINITION_END(CScanShapeGridMap2D)
 };
 

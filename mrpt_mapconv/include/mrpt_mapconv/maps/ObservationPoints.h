@@ -43,7 +43,9 @@ std::string nameOf(const mrpt::obs::CObservation& obs);
  * focal length is known, and of a Velodyne's packets; 0 for other scans.
  *
  * \param robotPose pose of the robot in the map
- * \param[out] out replaced; its memory is kept, so that a series of point clouds needs no more
+ * \param[out] out replaced; its memory is kept, so that a series of point clouds needs no more.
+ * MRPT decodes packets, and unprojects range images, in a copy of the observation and with
+ * allocations of its own
  * \param warnings told of what could not be used; may be null
  * \return false, and `out` as it was, if the class is none of these; no points if there were none,
  * or if the model of a rotating scanner is unknown
