@@ -145,6 +145,9 @@ bool CScanShapeGridMap2D::skip(const mrpt::obs::CObservation& obs, std::string_v
   return false;
 }
 
+/** Whether the first 3D scan has been reported; from now on it has. */
+bool CScanShapeGridMap2D::hasReported() { return !m_warnings.isNew({"first 3D scan"}); }
+
 /** Says how many azimuths end at a structural element; where they do not, nothing is cut. */
 void CScanShapeGridMap2D::report(const mrpt::obs::CObservation& obs)
 {
@@ -159,7 +162,7 @@ void CScanShapeGridMap2D::report(const mrpt::obs::CObservation& obs)
                  maps::nameOf(obs).c_str(), found.points, found.objectPoints, found.structurePoints,
                  percent, found.lines, found.occupiedCells, found.freeCells);
   if (!params.reflectionFilter) return;
-  if (m_warnings.isNew({"first 3D scan"}))
+  if (!hasReported())
     m_log.logFmt(LVL_INFO, "first 3D scan, of %s: a wall on %.1f %% of %i azimuths",
                  maps::nameOf(obs).c_str(), percent, found.lines);
   constexpr double fewest = 10;

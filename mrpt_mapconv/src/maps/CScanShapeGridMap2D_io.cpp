@@ -34,6 +34,8 @@ void CScanShapeGridMap2D::serializeFrom(mrpt::serialization::CArchive& in, uint8
       read.insertionOptions.maxFreenessInvalidRanges;
   in >> read.m_cellSize >> read.maxGridCells;
   read.scanInsertionOptions.readFromStream(in);
+  // MRPT's particle filters copy maps by streams: the copies' scans are not the first ones.
+  if (!read.m_is_empty) read.hasReported();
   *this = read;
 }
 

@@ -1,4 +1,6 @@
+#include <mrpt/io/CMemoryStream.h>
 #include <mrpt/obs/CObservationRange.h>
+#include <mrpt/serialization/CArchive.h>
 #include <mrpt_mapconv/grid/OccupancyCell.h>
 #include <mrpt_mapconv/maps/ObservationPoints.h>
 #include <mrpt_mapconv/maps/ScanLog.h>
@@ -414,6 +416,20 @@ TEST(CScanShapeGridMap2D, SaysWhatShareOfTheFirst3DScanHasAWall)
   for (int i = 0; i < 3; ++i) map.insertObservation(scanOf(Room(), CPose3D()), CPose3D());
   ASSERT_EQ(said.size(), 1u);
   EXPECT_TRUE(contains(said[0], "'LIDAR': a wall on 100.0 % of ")) << said[0];
+
+  // as rbpf-slam copies its particles' maps
+  mrpt::io::CMemoryStream memory;
+  auto stream = mrpt::serialization::archiveFrom(memory);
+  stream << map;
+  memory.Seek(0);
+  auto copy = mapForRooms();
+  copy.log().setVerbosityLevelForCallbacks(mrpt::system::LVL_INFO);
+  copy.log().logRegisterCallback([&](std::string_view text, const mrpt::system::VerbosityLevel,
+                                     std::string_view, const mrpt::Clock::time_point)
+                                 { said.emplace_back(text); });
+  stream >> copy;
+  copy.insertObservation(scanOf(Room(), CPose3D()), CPose3D());
+  EXPECT_EQ(said.size(), 1u);
 }
 
 TEST(CScanShapeGridMap2D, ItsLayersAreProbabilitiesAndOccupancies)

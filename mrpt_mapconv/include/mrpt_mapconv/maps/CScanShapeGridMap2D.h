@@ -87,7 +87,8 @@ class CScanShapeGridMap2D : public mrpt::maps::COccupancyGridMap2D
   void saveMetricMapRepresentationToFile(const std::string& prefix) const override;
   std::string asString() const override;
 
-  /** Where warnings go, what was found in the first 3D scan and, at level DEBUG, in each. */
+  /** Where warnings go, what was found in the first 3D scan (not in that of a map that was read
+   * from a stream with something in it) and, at level DEBUG, in each. */
   mrpt::system::COutputLogger& log() { return m_log; }
 
  protected:
@@ -106,6 +107,7 @@ class CScanShapeGridMap2D : public mrpt::maps::COccupancyGridMap2D
   bool skip(const mrpt::obs::CObservation& obs, std::string_view why);
   bool skip(const mrpt::obs::CObservation& obs, std::string_view kind, std::string_view why);
   void checkNear(const mrpt::poses::CPose3D& sensorPose) const;
+  bool hasReported();
   void report(const mrpt::obs::CObservation& obs);
   void startEmpty();
   bool isAsStarted() const;
