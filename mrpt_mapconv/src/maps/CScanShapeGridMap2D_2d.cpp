@@ -80,8 +80,7 @@ struct RayBox
   }
 };
 
-/** Lays the rays as the base class does, in its floats.
- */
+/** Lays the rays as the base class does, in its floats. */
 RayBox rayBoxOf(const CObservation2DRangeScan& scan, const CPose3D& sensor,
                 const Base::TInsertionOptions& options)
 {

@@ -61,6 +61,7 @@ struct ScanProfile::Workspace
   void judge(std::int32_t ix, std::int32_t iy, const LineWalk& walk);
   bool isCrossed(std::int32_t ix, std::int32_t iy, double azimuth, const LineWalk& walk) const;
   double wallTowards(double azimuth);
+  void sortByAzimuth();
   bool isInRasters(const CellOffset& cell) const
   {
     return std::max(std::abs(cell.x), std::abs(cell.y)) <= slices.reach;
@@ -74,8 +75,7 @@ struct ScanProfile::Workspace
   LineFan fan;
   LineReach reach;
   double structureGap = 0;                           //!< [rad]
-  std::vector<std::pair<double, double>> byAzimuth;  //!< [rad, cells²] of the structure's points
-  bool azimuthsAreSorted = false;
+  std::vector<std::pair<double, double>> byAzimuth;  //!< [rad, cells²] of structure; made if needed
   std::vector<double> wallsSq;  //!< of each line: squared distance of its wall [cells²]
   std::vector<std::int32_t> runEnds;
   grid::GridFrame bounds;
@@ -136,7 +136,6 @@ void ScanProfile::Workspace::findWallsByAzimuth(double gap)
 {
   wallsSq.assign(static_cast<std::size_t>(fan.count()), kNoWall);
   byAzimuth.clear();
-  azimuthsAreSorted = false;
   structureGap = gap;
   for (const StructurePoint& point : slices.structure)
   {
@@ -144,7 +143,6 @@ void ScanProfile::Workspace::findWallsByAzimuth(double gap)
     const double azimuth = std::atan2(point.y, point.x);
     const double distanceSq = place.distanceSq(point.cell.x, point.cell.y);
     lowerWalls(azimuth - gap, azimuth + gap, distanceSq);
-    byAzimuth.push_back({azimuth, distanceSq});
     if (!isInRasters(point.cell)) lowerFarWalls(point, azimuth);
   }
 }
@@ -234,11 +232,20 @@ bool ScanProfile::Workspace::isCrossed(std::int32_t ix, std::int32_t iy, double 
          walk.crosses(fan.line((below + 1) % lines), ix, iy);
 }
 
+/** Few scans have cells that no line crosses, so only they pay for this. */
+void ScanProfile::Workspace::sortByAzimuth()
+{
+  for (const StructurePoint& point : slices.structure)
+    if (point.x != 0 || point.y != 0)
+      byAzimuth.emplace_back(std::atan2(point.y, point.x),
+                             place.distanceSq(point.cell.x, point.cell.y));
+  std::sort(byAzimuth.begin(), byAzimuth.end());
+}
+
 /** Square of the distance of the nearest W-cell with a point near an azimuth [cells²]. */
 double ScanProfile::Workspace::wallTowards(double azimuth)
 {
-  if (!azimuthsAreSorted) std::sort(byAzimuth.begin(), byAzimuth.end());
-  azimuthsAreSorted = true;
+  if (byAzimuth.empty()) sortByAzimuth();
   double wallSq = kNoWall;
   for (const double turn : {-2 * kPi, 0.0, 2 * kPi})
   {

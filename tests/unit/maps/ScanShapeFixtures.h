@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 
 #include "ScanFixtures.h"
@@ -130,6 +131,13 @@ inline void expectSameCells(const CScanShapeGridMap2D& a, const CScanShapeGridMa
     for (std::int32_t kx = both.x0; kx < both.xEnd(); ++kx)
       different += cellAt(a, kx, ky) != cellAt(b, kx, ky) ? 1 : 0;
   EXPECT_EQ(different, 0u);
+}
+
+/** How many raw cells are as asked for. */
+inline std::size_t countCells(const CScanShapeGridMap2D& map, const std::function<bool(int)>& is)
+{
+  return static_cast<std::size_t>(
+      std::count_if(map.getRawMap().begin(), map.getRawMap().end(), is));
 }
 
 }  // namespace mrpt_mapconv::maps::fixtures
