@@ -43,7 +43,7 @@ simulated_building() {
   echo "== building: its log in MRPT's own icp-slam, with our map (half a minute)"
   mkdir -p "$dir/icp-slam"
   (cd "$dir/icp-slam" &&
-    "$mapconv" run -- icp-slam "$root/config/icp-slam.ini" "$dir/run/scans.rawlog" </dev/null >icp-slam.log 2>&1) ||
+    "$mapconv" run -- icp-slam "$root/config/freeSpaceGrid/icp-slam.ini" "$dir/run/scans.rawlog" </dev/null >icp-slam.log 2>&1) ||
     { tail -n 5 "$dir/icp-slam/icp-slam.log" >&2; exit 1; }
   made+=("$dir/icp-slam")
 
@@ -69,8 +69,8 @@ scanned_office() {
 
   echo
   echo "== office: a 2D map of whole shapes, with reflections cut and without"
-  "$mapconv" insert "$dir/run/scans.simplemap" -c "$root/config/scan-insertion.ini" -o "$dir/map"
-  "$mapconv" insert "$dir/run/scans.simplemap" -c "$root/config/scan-insertion.ini" --no-reflection-filter -o "$dir/uncut"
+  "$mapconv" insert "$dir/run/scans.simplemap" -c "$root/config/scanShapeGrid/insert.ini" -o "$dir/map"
+  "$mapconv" insert "$dir/run/scans.simplemap" -c "$root/config/scanShapeGrid/insert.ini" --no-reflection-filter -o "$dir/uncut"
   made+=("$dir/map" "$dir/uncut")
 }
 

@@ -1,5 +1,5 @@
-#include <mrpt_mapconv/grid/OutputDir.h>
-#include <mrpt_mapconv/maps/MrptError.h>
+#include <mrpt_mapconv/files/OutputDir.h>
+#include <mrpt_mapconv/params/Require.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -9,8 +9,8 @@
 #include <utility>
 #include <vector>
 
-#include "Command.h"
-#include "Console.h"
+#include "command/Command.h"
+#include "output/Console.h"
 
 namespace
 {
@@ -50,7 +50,7 @@ int runChosen(const std::vector<std::pair<CLI::App*, mapconv::Command>>& command
   }
   catch (const std::exception& error)
   {
-    mapconv::printError(mrpt_mapconv::grid::withoutStaging(mrpt_mapconv::maps::oneLine(error)));
+    mapconv::printError(mrpt_mapconv::files::withoutStaging(mrpt_mapconv::params::oneLine(error)));
   }
   return kFailure;
 }

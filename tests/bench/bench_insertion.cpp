@@ -21,7 +21,7 @@
 #include <string>
 #include <vector>
 
-#include "unit/grid/TempDir.h"
+#include "support/TempDir.h"
 
 using namespace mrpt_mapconv;
 

@@ -8,8 +8,8 @@
 #include <mrpt/maps/COctoMap.h>
 #include <mrpt/obs/CObservationVelodyneScan.h>
 #include <mrpt_mapconv/maps/CScanShapeGridMap2D.h>
-#include <mrpt_mapconv/maps/ObservationPoints.h>
-#include <mrpt_mapconv/maps/ScanLog.h>
+#include <mrpt_mapconv/observation/ObservationPoints.h>
+#include <mrpt_mapconv/observation/ScanLog.h>
 #include <mrpt_mapconv/scan/LogOddsUpdate.h>
 #include <mrpt_mapconv/sim/RayCaster.h>
 #include <mrpt_mapconv/sim/Scenario.h>
@@ -41,7 +41,7 @@ struct Scan
 
 Scan scanOf(const mrpt::obs::CObservation& observation, const mrpt::poses::CPose3D& robotPose)
 {
-  auto seen = maps::sensorPoints(observation, robotPose);
+  auto seen = observation::sensorPoints(observation, robotPose);
   if (!seen || seen->points.empty()) throw std::runtime_error("a scan has no points");
   Scan scan;
   scan.points = std::move(seen->points);
@@ -77,8 +77,8 @@ std::vector<Scan> officeScans(int count)
 std::vector<Scan> velodyneScans(const std::string& file)
 {
   std::vector<Scan> scans;
-  for (const auto& [observation, pose] : maps::readRawlog(file, {true}))
-    if (maps::is3DScan(*observation)) scans.push_back(scanOf(*observation, pose));
+  for (const auto& [observation, pose] : observation::readRawlog(file, {true}))
+    if (observation::is3DScan(*observation)) scans.push_back(scanOf(*observation, pose));
   return scans;
 }
 

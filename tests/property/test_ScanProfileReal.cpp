@@ -2,8 +2,8 @@
 // sensors on the border or in the middle of a cell, as at the start of most logs. The twin reports
 // ties there (lines that pass a corner closely); these scans agree cell by cell all the same.
 #include <gtest/gtest.h>
-#include <mrpt_mapconv/maps/ObservationPoints.h>
-#include <mrpt_mapconv/maps/ScanLog.h>
+#include <mrpt_mapconv/observation/ObservationPoints.h>
+#include <mrpt_mapconv/observation/ScanLog.h>
 #include <mrpt_mapconv/scan/ScanProfile.h>
 
 #include <filesystem>
@@ -47,11 +47,11 @@ TEST(ScanProfile, AgreesWithTheOracleOnRealScans)
 {
   const std::string log = std::string(MRPT_MAPCONV_SHARED_DIR) + "/vlp16_3scans.rawlog";
   if (!std::filesystem::exists(log)) GTEST_SKIP() << "there is no " << log;
-  for (const auto& [observation, pose] : maps::readRawlog(log, {true}))
+  for (const auto& [observation, pose] : observation::readRawlog(log, {true}))
     for (const bool filter : {true, false})
     {
       RandomScan scan = roomScan();
-      const auto seen = maps::sensorPoints(*observation, pose);
+      const auto seen = observation::sensorPoints(*observation, pose);
       ASSERT_TRUE(seen);
       scan.points = seen->points;
       scan.view.sensorPose = seen->sensorPose;

@@ -1,10 +1,10 @@
-#include "ExperimentIni.h"
+#include "experiment/ExperimentIni.h"
 
 #include <filesystem>
 
 namespace mapconv
 {
-std::string readFile(mrpt_mapconv::maps::StrictSection& section, const ExperimentJob& job)
+std::string readFile(mrpt_mapconv::params::StrictSection& section, const ExperimentJob& job)
 {
   std::string file;
   section.read("file", file);

@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "Progress.h"
-#include "Report.h"
+#include "experiment/report/Report.h"
+#include "output/Progress.h"
 
 namespace mapconv
 {

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <cstring>
 
-#include "NearColumns.h"
-
 namespace mrpt_mapconv::freespace
 {
 using voxel::kBlockSide;
@@ -195,7 +193,7 @@ void OccupancyPass::run(BlockJob& job)
   const BlockPlace place(job.key, m_layers.frame());
   const auto besideNew = withoutFloor(columnsBesideNewSpans(job), place);
   const auto newSlope =
-      columnsNear(m_differences.newFloor, job.key, m_params.slopeWindow) & job.reach;
+      voxel::columnsNear(m_differences.newFloor, job.key, m_params.slopeWindow) & job.reach;
   const auto newAerial = job.changed | besideNew;
   if (!any(newAerial | newSlope)) return;
 
@@ -211,7 +209,7 @@ void OccupancyPass::run(BlockJob& job)
 voxel::ColumnMask OccupancyPass::columnsBesideNewSpans(const BlockJob& job) const
 {
   const auto notRead = job.reach & ~job.changed;
-  return any(notRead) ? notRead & columnsNear(m_differences.newSpan, job.key, 1) : notRead;
+  return any(notRead) ? notRead & voxel::columnsNear(m_differences.newSpan, job.key, 1) : notRead;
 }
 
 voxel::ColumnMask OccupancyPass::withoutFloor(const voxel::ColumnMask& columns,

@@ -4,8 +4,8 @@
 #include <stdexcept>
 #include <tuple>
 
+#include "../grid/Parallel.h"
 #include "BlockConversion.h"
-#include "Parallel.h"
 
 namespace mrpt_mapconv::freespace
 {
@@ -84,22 +84,22 @@ void convertColumns(const voxel::VoxelSource& source, const voxel::ColumnSet& ch
   Differences differences;  // of the strip at hand, the one before and the one after
   const auto findHeights = [&](Strip& strip)
   {
-    inParallel(strip.size(), threads,
-               [&](std::size_t begin, std::size_t end)
-               {
-                 HeightPass heights(source, params, layers, blank);
-                 for (std::size_t i = begin; i < end; ++i) heights.run(strip[i]);
-               });
+    grid::inParallel(strip.size(), threads,
+                     [&](std::size_t begin, std::size_t end)
+                     {
+                       HeightPass heights(source, params, layers, blank);
+                       for (std::size_t i = begin; i < end; ++i) heights.run(strip[i]);
+                     });
     for (const BlockJob& job : strip) differences.note(job);
   };
   const auto findOccupancy = [&](Strip& strip)
   {
-    inParallel(strip.size(), threads,
-               [&](std::size_t begin, std::size_t end)
-               {
-                 OccupancyPass occupancy(source, params, differences, layers);
-                 for (std::size_t i = begin; i < end; ++i) occupancy.run(strip[i]);
-               });
+    grid::inParallel(strip.size(), threads,
+                     [&](std::size_t begin, std::size_t end)
+                     {
+                       OccupancyPass occupancy(source, params, differences, layers);
+                       for (std::size_t i = begin; i < end; ++i) occupancy.run(strip[i]);
+                     });
   };
   Strips strips(changed, reach, params.slopeWindow);
   Strip before, strip = strips.next();

@@ -1,5 +1,5 @@
 #include <mrpt_mapconv/freespace/ConversionParams.h>
-#include <mrpt_mapconv/grid/Require.h>
+#include <mrpt_mapconv/params/Require.h>
 
 #include <algorithm>
 #include <cmath>
@@ -8,7 +8,7 @@
 
 namespace mrpt_mapconv::freespace
 {
-using grid::require;
+using params::require;
 
 namespace
 {

@@ -8,7 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "Parallel.h"
+#include "../grid/Parallel.h"
 
 namespace mrpt_mapconv::freespace
 {
@@ -85,17 +85,17 @@ void projectColumns(const voxel::VoxelSource& source, const voxel::ColumnSet& co
 {
   const std::vector<voxel::ColumnSet::Blocks::value_type> blocks(columns.blocks().begin(),
                                                                  columns.blocks().end());
-  inParallel(blocks.size(), threads,
-             [&](std::size_t begin, std::size_t end)
-             {
-               voxel::ColumnBlock block;
-               for (std::size_t i = begin; i < end; ++i)
-               {
-                 block.start(blocks[i].first, blocks[i].second);
-                 source.read(block);
-                 writeBlock(block, keys, layer);
-               }
-             });
+  grid::inParallel(blocks.size(), threads,
+                   [&](std::size_t begin, std::size_t end)
+                   {
+                     voxel::ColumnBlock block;
+                     for (std::size_t i = begin; i < end; ++i)
+                     {
+                       block.start(blocks[i].first, blocks[i].second);
+                       source.read(block);
+                       writeBlock(block, keys, layer);
+                     }
+                   });
 }
 }  // namespace
 

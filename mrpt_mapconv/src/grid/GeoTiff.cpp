@@ -1,6 +1,6 @@
 #include <cpl_string.h>
 #include <gdal_priv.h>
-#include <mrpt_mapconv/grid/FileIo.h>
+#include <mrpt_mapconv/files/FileIo.h>
 #include <mrpt_mapconv/grid/GeoTiff.h>
 
 #include <cmath>
@@ -140,7 +140,7 @@ void writeGeoTiff(const std::string& path, const std::vector<NamedLayer>& bands,
   checkBands(path, bands);
   const GridFrame& frame = bands.front().layer->frame();
 
-  writeFile(path, {});  // gives the system's own reason where GDAL only says that it failed
+  files::writeFile(path, {});  // gives the system's own reason where GDAL only says that it failed
   const GdalErrors errors;
   Dataset dataset = createDataset(path, frame, bands.size());
   if (!dataset || !writeHeader(*dataset, frame, metadata)) errors.raise("write", path);

@@ -1,5 +1,5 @@
+#include <mrpt_mapconv/files/ObjectWriter.h>
 #include <mrpt_mapconv/grid/GridMap.h>
-#include <mrpt_mapconv/grid/ObjectWriter.h>
 #include <mrpt_mapconv/grid/OccupancyCell.h>
 
 #include <cmath>
@@ -73,7 +73,7 @@ void writeGridMap(const std::string& path, const Layer<float>& occupancy)
 {
   COccupancyGridMap2D map;
   copyToGridMap(occupancy, map);
-  writeObject(path, map);
+  files::writeObject(path, map);
 }
 
 }  // namespace mrpt_mapconv::grid

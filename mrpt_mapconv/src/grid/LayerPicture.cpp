@@ -1,4 +1,4 @@
-#include <mrpt_mapconv/grid/FileIo.h>
+#include <mrpt_mapconv/files/FileIo.h>
 #include <mrpt_mapconv/grid/LayerPicture.h>
 #include <mrpt_mapconv/grid/OccupancyCell.h>
 
@@ -214,10 +214,11 @@ void writeLayerPng(const std::string& path, const Layer<float>& layer, const Pic
   if (!endsWith(path, ".png"))
     throw std::invalid_argument("picture '" + path + "': the name must end in .png");
   const mrpt::img::CImage image = drawLayer(layer, style, aerial);
-  writeFile(path, {});  // gives the system's own reason; MRPT only says whether it worked
+  files::writeFile(path, {});  // gives the system's own reason; MRPT only says whether it worked
   if (!image.saveToFile(path) || !isCompletePng(path))
   {
-    writeFile(path, std::string(1U << 16U, '\0'));  // most likely the disk is full: let it say so
+    files::writeFile(path,
+                     std::string(1U << 16U, '\0'));  // most likely the disk is full: let it say so
     throw std::runtime_error("cannot write '" + path + "': the PNG is incomplete");
   }
 }

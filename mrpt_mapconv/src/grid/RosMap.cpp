@@ -1,4 +1,4 @@
-#include <mrpt_mapconv/grid/FileIo.h>
+#include <mrpt_mapconv/files/FileIo.h>
 #include <mrpt_mapconv/grid/OccupancyCell.h>
 #include <mrpt_mapconv/grid/RosMap.h>
 
@@ -73,8 +73,8 @@ void writeRosMap(const std::string& pgmPath, const std::string& yamlPath,
 {
   if (occupancy.frame().empty())
     throw std::invalid_argument("ROS map '" + yamlPath + "': the layer has no cells");
-  writeFile(pgmPath, pgm(occupancy));
-  writeFile(yamlPath, yaml(imageName, occupancy.frame()));
+  files::writeFile(pgmPath, pgm(occupancy));
+  files::writeFile(yamlPath, yaml(imageName, occupancy.frame()));
 }
 
 }  // namespace mrpt_mapconv::grid

@@ -3,6 +3,7 @@
 #include <mrpt_mapconv/grid/GridMap.h>
 #include <mrpt_mapconv/maps/CFreeSpaceGridMap2D.h>
 #include <mrpt_mapconv/maps/OctoMapAccess.h>
+#include <mrpt_mapconv/voxel/OcTreeCopy.h>
 #include <mrpt_mapconv/voxel/OctreeFile.h>
 #include <mrpt_mapconv/voxel/OctreeSource.h>
 #include <octomap/OcTree.h>
@@ -59,7 +60,7 @@ CFreeSpaceGridMap2D& CFreeSpaceGridMap2D::operator=(const CFreeSpaceGridMap2D& o
   return *this;
 }
 
-void CFreeSpaceGridMap2D::setConversionOptions(const maps::TConversionOptions& options)
+void CFreeSpaceGridMap2D::setConversionOptions(const freespace::TConversionOptions& options)
 {
   freespace::IncrementalLayers layers(options.params);
   if (!m_layers.layers().frame().empty())
@@ -101,7 +102,7 @@ void CFreeSpaceGridMap2D::loadVoxelMap(const std::string& file)
   if (dynamic_cast<octomap::OcTree*>(read.get()))
     tree.reset(static_cast<octomap::OcTree*>(read.release()));
   else
-    tree = maps::toOcTree(*read);
+    tree = voxel::toOcTree(*read);
   voxelInsertionOptions.applyTo(*tree);
   takeOctree(std::move(tree));
 }
@@ -133,21 +134,21 @@ void CFreeSpaceGridMap2D::internal_clear()
 bool CFreeSpaceGridMap2D::internal_insertObservation(
     const mrpt::obs::CObservation& obs, const std::optional<const mrpt::poses::CPose3D>& robotPose)
 {
-  if (!maps::isScan(obs)) return false;
-  if (!maps::is3DScan(obs) && !voxelInsertionOptions.insert2D) return false;
+  if (!observation::isScan(obs)) return false;
+  if (!observation::is3DScan(obs) && !voxelInsertionOptions.insert2D) return false;
   voxelInsertionOptions.check();
   const mrpt::system::CTicTac watch;
   const auto scan =
-      maps::sensorPoints(obs, robotPose.value_or(mrpt::poses::CPose3D()), &m_warnings);
+      observation::sensorPoints(obs, robotPose.value_or(mrpt::poses::CPose3D()), &m_warnings);
   if (!scan || scan->points.empty()) return false;
 
   // A scan that the layers or MRPT's grid could not hold must not get into the octree.
   const grid::GridFrame needed =
-      unite(m_layers.layers().frame(), maps::frameOfScan(*m_octree, *scan, voxelInsertionOptions));
+      unite(m_layers.layers().frame(), voxel::frameOfScan(*m_octree, *scan, voxelInsertionOptions));
   freespace::checkFrameSize(needed);
   grid::checkGridMapFrame(needed);
   const double prepared = watch.Tac();
-  m_pending.insert(maps::insertScan(*m_octree, *scan, voxelInsertionOptions, &m_warnings));
+  m_pending.insert(voxel::insertScan(*m_octree, *scan, voxelInsertionOptions, &m_warnings));
   const double inserted = watch.Tac();
   const std::size_t columns = m_pending.size();
   const bool laidOut = followOctree();
@@ -209,8 +210,8 @@ void CFreeSpaceGridMap2D::warnIfNothingIsFree()
 /** The layer that the grid shows. */
 const grid::Layer<float>& CFreeSpaceGridMap2D::occupancy() const
 {
-  return m_conversion.robot == maps::Robot::Ground ? m_layers.layers().ground
-                                                   : m_layers.layers().aerial;
+  return m_conversion.robot == freespace::Robot::Ground ? m_layers.layers().ground
+                                                        : m_layers.layers().aerial;
 }
 
 /** False if someone has resized the base class's grid, which MRPT's particle filter does. */
@@ -293,9 +294,11 @@ void CFreeSpaceGridMap2D::getVisualizationInto(mrpt::opengl::CSetOfObjects& scen
   if (!genericMapParams.enableSaveAs3DObject) return;
   const auto layers = exactLayers();
   if (layers.frame().empty()) return;
-  const auto& shown = m_conversion.robot == maps::Robot::Ground ? layers.ground : layers.aerial;
-  maps::drawOccupancy(shown, maps::heightBelow(layers), !renderingOptions.showFloor, scene);
-  maps::drawLayers(layers, renderingOptions, scene);
+  const auto& shown =
+      m_conversion.robot == freespace::Robot::Ground ? layers.ground : layers.aerial;
+  freespace::drawOccupancy(shown, freespace::heightBelow(layers), !renderingOptions.showFloor,
+                           scene);
+  freespace::drawLayers(layers, renderingOptions, scene);
 }
 
 }  // namespace mrpt_mapconv

@@ -24,7 +24,7 @@ CFreeSpaceGridMap2D::TMapDefinition::TMapDefinition() = default;
 void CFreeSpaceGridMap2D::TMapDefinition::loadFromConfigFile_map_specific(
     const mrpt::config::CConfigFileBase& source, const std::string& sectionNamePrefix)
 {
-  maps::StrictSection creation(source, sectionNamePrefix + kSections[0]);
+  params::StrictSection creation(source, sectionNamePrefix + kSections[0]);
   maps::readCreationOptions(creation, resolution, genericMapParams);
   creation.warnUnknown();
   insertionOpts.loadFromConfigFile(source, sectionNamePrefix + kSections[1]);

@@ -1,8 +1,8 @@
 #include <mrpt/system/CTimeLogger.h>
-#include <mrpt_mapconv/grid/FileIo.h>
-#include <mrpt_mapconv/grid/OutputDir.h>
+#include <mrpt_mapconv/files/FileIo.h>
+#include <mrpt_mapconv/files/OutputDir.h>
+#include <mrpt_mapconv/freespace/LayerFiles.h>
 #include <mrpt_mapconv/maps/CFreeSpaceGridMap2D.h>
-#include <mrpt_mapconv/maps/LayerFiles.h>
 #include <mrpt_mapconv/voxel/OctreeFile.h>
 #include <mrpt_mapconv/voxel/OctreeSource.h>
 #include <octomap/OcTree.h>
@@ -51,7 +51,7 @@ void CFreeSpaceGridMap2D::serializeTo(mrpt::serialization::CArchive& out) const
 
   // The tree's own resolution and sensor model: OctoMap's format rounds the one and lacks the
   // other.
-  maps::TVoxelInsertionOptions model;
+  voxel::TVoxelInsertionOptions model;
   model.adoptFrom(*m_octree);
   model.writeToStream(out);
   out << m_octree->getResolution();
@@ -88,7 +88,7 @@ void CFreeSpaceGridMap2D::serializeFrom(mrpt::serialization::CArchive& in, uint8
 
 void CFreeSpaceGridMap2D::readOctree(mrpt::serialization::CArchive& in)
 {
-  maps::TVoxelInsertionOptions model;
+  voxel::TVoxelInsertionOptions model;
   double resolution = 0;
   std::string bytes;
   grid::GridFrame frame;
@@ -120,21 +120,21 @@ void CFreeSpaceGridMap2D::saveMetricMapRepresentationToFile(const std::string& p
   restoreGrid();
   const std::filesystem::path whole(prefix);
   const auto name = whole.filename().string();
-  grid::OutputDir out(whole.has_parent_path() ? whole.parent_path().string() : ".");
+  files::OutputDir out(whole.has_parent_path() ? whole.parent_path().string() : ".");
   const auto staged = out.path(name + ".png");  // the base class adds the endings to a prefix
   out.path(name + "_limits.txt");
   Base::saveMetricMapRepresentationToFile(staged.substr(0, staged.size() - 4));
   if (const auto layers = exactLayers(); !layers.frame().empty())
   {
-    maps::writeLayersTiff(out.path(name + "_layers.tif"), layers, m_conversion.params);
+    freespace::writeLayersTiff(out.path(name + "_layers.tif"), layers, m_conversion.params);
     for (const auto& [layerName, layer] : layers.named())
     {
       const std::string picture = mrpt::format("%s_%s.png", name.c_str(), layerName.c_str());
-      maps::writeLayerPicture(out.path(picture), layers, layerName);
+      freespace::writeLayerPicture(out.path(picture), layers, layerName);
     }
     std::ostringstream octree;
     m_octree->write(octree);
-    grid::writeFile(out.path(name + ".ot"), octree.str());
+    files::writeFile(out.path(name + ".ot"), octree.str());
   }
   if (const std::lock_guard<std::mutex> lock(m_lazy); m_times)
     m_times->saveToCSVFile(out.path(name + "_times.csv"));

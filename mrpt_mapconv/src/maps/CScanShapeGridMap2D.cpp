@@ -1,7 +1,8 @@
 #include <mrpt/obs/CObservation2DRangeScan.h>
 #include <mrpt_mapconv/maps/CScanShapeGridMap2D.h>
-#include <mrpt_mapconv/maps/ObservationPoints.h>
-#include <mrpt_mapconv/maps/PoseTrack.h>
+#include <mrpt_mapconv/observation/FinitePose.h>
+#include <mrpt_mapconv/observation/ObservationPoints.h>
+#include <mrpt_mapconv/observation/PoseTrack.h>
 
 #include "MapSections.h"
 
@@ -12,7 +13,7 @@ using Base = mrpt::maps::COccupancyGridMap2D;
 /** What an insertion works with; kept so that the next one needs no memory. */
 struct CScanShapeGridMap2D::Workspace
 {
-  maps::SensorPoints scan;
+  observation::SensorPoints scan;
   scan::ScanProfile profile;
 };
 
@@ -90,7 +91,7 @@ bool CScanShapeGridMap2D::internal_insertObservation(
   m_lastSkip.clear();
   if (const auto* scan = dynamic_cast<const mrpt::obs::CObservation2DRangeScan*>(&obs))
     return insert2D(*scan, pose);
-  if (maps::isScan(obs)) return insert3D(obs, pose);
+  if (observation::isScan(obs)) return insert3D(obs, pose);
   m_lastSkip = "it is not a scan";
   return false;
 }
@@ -101,10 +102,10 @@ bool CScanShapeGridMap2D::insert3D(const mrpt::obs::CObservation& obs,
   scanInsertionOptions.check();
   const scan::LogOddsUpdate update(scanInsertionOptions.update);
   const auto sensorPose = sensorPoseOf(obs, robotPose);
-  if (!maps::isFinite(sensorPose)) return skip(obs, "its pose is not finite");
+  if (!observation::isFinite(sensorPose)) return skip(obs, "its pose is not finite");
   checkNear(sensorPose);
   auto& work = workspace();
-  maps::sensorPoints(obs, robotPose, work.scan, &m_warnings);
+  observation::sensorPoints(obs, robotPose, work.scan, &m_warnings);
   if (work.scan.points.empty()) return skip(obs, "it has no usable point");
   try
   {
@@ -141,7 +142,7 @@ bool CScanShapeGridMap2D::skip(const mrpt::obs::CObservation& obs, std::string_v
   m_lastSkip = why;
   m_warnings.warnOnceOf(
       {kind, obs.GetRuntimeClass()->className, obs.sensorLabel},
-      [&] { return "a scan of " + maps::nameOf(obs) + " is skipped: " + m_lastSkip; });
+      [&] { return "a scan of " + observation::nameOf(obs) + " is skipped: " + m_lastSkip; });
   return false;
 }
 
@@ -159,12 +160,12 @@ void CScanShapeGridMap2D::report(const mrpt::obs::CObservation& obs)
     m_log.logFmt(LVL_DEBUG,
                  "%s: %zu points, %zu of objects, %zu of structure; a wall on %.1f %% of %i "
                  "azimuths; %zu cells occupied, %zu free",
-                 maps::nameOf(obs).c_str(), found.points, found.objectPoints, found.structurePoints,
-                 percent, found.lines, found.occupiedCells, found.freeCells);
+                 observation::nameOf(obs).c_str(), found.points, found.objectPoints,
+                 found.structurePoints, percent, found.lines, found.occupiedCells, found.freeCells);
   if (!params.reflectionFilter) return;
   if (!hasReported())
     m_log.logFmt(LVL_INFO, "first 3D scan, of %s: a wall on %.1f %% of %i azimuths",
-                 maps::nameOf(obs).c_str(), percent, found.lines);
+                 observation::nameOf(obs).c_str(), percent, found.lines);
   constexpr double fewest = 10;
   if (percent >= fewest) return;
   m_warnings.warnOnceOf(

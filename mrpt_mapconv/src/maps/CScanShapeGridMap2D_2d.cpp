@@ -1,8 +1,9 @@
 #include <mrpt/obs/CObservation2DRangeScan.h>
-#include <mrpt_mapconv/grid/Require.h>
 #include <mrpt_mapconv/maps/CScanShapeGridMap2D.h>
-#include <mrpt_mapconv/maps/ObservationPoints.h>
-#include <mrpt_mapconv/maps/PoseTrack.h>
+#include <mrpt_mapconv/observation/FinitePose.h>
+#include <mrpt_mapconv/observation/ObservationPoints.h>
+#include <mrpt_mapconv/observation/PoseTrack.h>
+#include <mrpt_mapconv/params/Require.h>
 
 #include <algorithm>
 #include <cmath>
@@ -24,8 +25,8 @@ namespace
 void checkOptions(const Base::TInsertionOptions& options)
 {
   const float most = options.maxDistanceInsertion;
-  grid::require(std::isfinite(most) && most > 0, "maxDistanceInsertion", most, "a range > 0 m");
-  grid::require(options.decimation > 0, "decimation", options.decimation, "at least 1");
+  params::require(std::isfinite(most) && most > 0, "maxDistanceInsertion", most, "a range > 0 m");
+  params::require(options.decimation > 0, "decimation", options.decimation, "at least 1");
 }
 
 /** Why a scan as a whole is of no use; null if it is. */
@@ -37,7 +38,7 @@ const char* whyRefused(const CObservation2DRangeScan& scan, const CPose3D& senso
   if (scan.getScanSize() == 0) return "it has no range";
   if (!(scan.aperture >= 0 && scan.aperture <= fullTurn))
     return "its aperture is not an angle from 0 to 2 pi";
-  if (!maps::isFinite(sensor)) return "its pose is not finite";
+  if (!observation::isFinite(sensor)) return "its pose is not finite";
   if (!scan.isPlanarScan(options.horizontalTolerance))
     return "its sensor is tilted by more than horizontalTolerance";
   if (options.useMapAltitude && std::abs(options.mapAltitude - sensor.z()) > altitudeTolerance)
@@ -141,7 +142,7 @@ bool CScanShapeGridMap2D::insert2D(const CObservation2DRangeScan& scan, const CP
     m_warnings.warnOnceOf({"bad rays", scan.GetRuntimeClass()->className, scan.sensorLabel},
                           [&]
                           {
-                            return "ranges of " + maps::nameOf(scan) +
+                            return "ranges of " + observation::nameOf(scan) +
                                    " that are NaN, infinite or negative count as invalid";
                           });
   const auto& usable = mended ? *mended : scan;

@@ -24,13 +24,13 @@ CScanShapeGridMap2D::TMapDefinition::TMapDefinition() = default;
 void CScanShapeGridMap2D::TMapDefinition::loadFromConfigFile_map_specific(
     const mrpt::config::CConfigFileBase& source, const std::string& sectionNamePrefix)
 {
-  maps::StrictSection creation(source, sectionNamePrefix + kSections[0]);
+  params::StrictSection creation(source, sectionNamePrefix + kSections[0]);
   maps::readCreationOptions(creation, resolution, genericMapParams);
   creation.read("maxGridCells", maxGridCells);
   if (maxGridCells < 1) creation.fail("maxGridCells", ">= 1");
   creation.warnUnknown();
 
-  maps::StrictSection insertion(source, sectionNamePrefix + kSections[1]);
+  params::StrictSection insertion(source, sectionNamePrefix + kSections[1]);
   scanInsertionOpts.readFrom(insertion, resolution);
   maps::readGridInsertionOptions(insertion, insertionOpts);
   insertion.warnUnknown();

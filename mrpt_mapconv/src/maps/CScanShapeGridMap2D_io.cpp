@@ -1,5 +1,5 @@
+#include <mrpt_mapconv/files/OutputDir.h>
 #include <mrpt_mapconv/grid/GeoTiff.h>
-#include <mrpt_mapconv/grid/OutputDir.h>
 #include <mrpt_mapconv/maps/CScanShapeGridMap2D.h>
 
 #include <filesystem>
@@ -43,7 +43,7 @@ void CScanShapeGridMap2D::saveMetricMapRepresentationToFile(const std::string& p
 {
   const std::filesystem::path whole(prefix);
   const auto name = whole.filename().string();
-  grid::OutputDir out(whole.has_parent_path() ? whole.parent_path().string() : ".");
+  files::OutputDir out(whole.has_parent_path() ? whole.parent_path().string() : ".");
   const auto staged = out.path(name + ".png");  // the base class adds the endings to a prefix
   out.path(name + "_limits.txt");
   Base::saveMetricMapRepresentationToFile(staged.substr(0, staged.size() - 4));

@@ -12,20 +12,20 @@ using Options = mrpt::maps::COccupancyGridMap2D::TInsertionOptions;
 bool isCertainty(float p) { return p >= 0.5f && p <= 1; }
 
 /** A certainty for which 0 stands for that of occupied cells. */
-void readFreeCertainty(StrictSection& ini, const char* key, float& value)
+void readFreeCertainty(params::StrictSection& ini, const char* key, float& value)
 {
   ini.read(key, value);
   if (!isCertainty(value) && value != 0)
     ini.fail(key, "within [0.5, 1], or 0 for maxOccupancyUpdateCertainty");
 }
 
-void readNotNegative(StrictSection& ini, const char* key, float& value)
+void readNotNegative(params::StrictSection& ini, const char* key, float& value)
 {
   ini.read(key, value);
   if (value < 0) ini.fail(key, ">= 0");
 }
 
-void readDecimation(StrictSection& ini, Options& options)
+void readDecimation(params::StrictSection& ini, Options& options)
 {
   constexpr std::uint32_t most = std::numeric_limits<decltype(options.decimation)>::max();
   std::uint32_t every = options.decimation;
@@ -34,7 +34,7 @@ void readDecimation(StrictSection& ini, Options& options)
   options.decimation = static_cast<std::uint16_t>(every);
 }
 
-void readTolerance(StrictSection& ini, Options& options)
+void readTolerance(params::StrictSection& ini, Options& options)
 {
   if (!ini.has("horizontalTolerance")) return;
   float degrees = 0;
@@ -43,7 +43,7 @@ void readTolerance(StrictSection& ini, Options& options)
 }
 }  // namespace
 
-void readGridInsertionOptions(StrictSection& ini, Options& options)
+void readGridInsertionOptions(params::StrictSection& ini, Options& options)
 {
   Options read = options;
   ini.read("mapAltitude", read.mapAltitude);

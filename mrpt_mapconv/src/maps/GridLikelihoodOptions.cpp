@@ -1,6 +1,6 @@
 #include <mrpt/config/CConfigFileMemory.h>
 #include <mrpt_mapconv/maps/GridLikelihoodOptions.h>
-#include <mrpt_mapconv/maps/StrictSection.h>
+#include <mrpt_mapconv/params/StrictSection.h>
 
 namespace mrpt_mapconv::maps
 {
@@ -76,7 +76,7 @@ class Sieve
   }
 
   static constexpr const char* kSection = "likelihood";
-  StrictSection m_ini;
+  params::StrictSection m_ini;
   mrpt::config::CConfigFileMemory m_clean;
 };
 }  // namespace

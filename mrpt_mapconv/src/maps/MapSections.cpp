@@ -1,7 +1,7 @@
 #include "MapSections.h"
 
 #include <mrpt/system/COutputLogger.h>
-#include <mrpt_mapconv/grid/Require.h>
+#include <mrpt_mapconv/params/Require.h>
 
 #include <algorithm>
 
@@ -17,11 +17,11 @@ bool isResolution(double resolution) { return resolution >= kFinest && resolutio
 
 double checkedResolution(double resolution)
 {
-  grid::require(isResolution(resolution), "resolution", resolution, kRightResolution);
+  params::require(isResolution(resolution), "resolution", resolution, kRightResolution);
   return resolution;
 }
 
-void readCreationOptions(StrictSection& ini, double& resolution,
+void readCreationOptions(params::StrictSection& ini, double& resolution,
                          mrpt::maps::TMapGenericParams& shared)
 {
   ini.read("resolution", resolution);

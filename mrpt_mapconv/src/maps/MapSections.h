@@ -2,7 +2,7 @@
 
 #include <mrpt/config/CConfigFileBase.h>
 #include <mrpt/maps/metric_map_types.h>
-#include <mrpt_mapconv/maps/StrictSection.h>
+#include <mrpt_mapconv/params/StrictSection.h>
 
 #include <string>
 #include <vector>
@@ -16,7 +16,7 @@ double checkedResolution(double resolution);
 /** Reads the keys of a map's creation options that all our maps have. MRPT has read the flags that
  * all maps share already, but takes "true ; why" for false.
  * \exception std::runtime_error naming section, key and value, and what would be right */
-void readCreationOptions(StrictSection& ini, double& resolution,
+void readCreationOptions(params::StrictSection& ini, double& resolution,
                          mrpt::maps::TMapGenericParams& shared);
 
 /** Warns of sections that begin with the map's prefix, but end like none of `endings`: most likely

@@ -5,9 +5,6 @@
 #include <mrpt_mapconv/maps/OctoMapAccess.h>
 #include <octomap/ColorOcTree.h>
 #include <octomap/OcTree.h>
-#include <octomap/OcTreeStamped.h>
-
-#include <stdexcept>
 
 // MRPT declares this struct in its public header but defines it in a private one, which Debian does
 // not ship; without a definition getOctomap() cannot compile. These repeat its only member.
@@ -39,45 +36,6 @@ const Tree& octreeInside(const Map& map)
   };
   return Access::of(map);
 }
-
-/** OctoMap makes a tree's root only together with a voxel. */
-class RootedTree : public octomap::OcTree
-{
- public:
-  explicit RootedTree(double voxelSize) : OcTree(voxelSize)
-  {
-    root = new octomap::OcTreeNode;  // the tree owns and deletes it
-    ++tree_size;
-    size_changed = true;
-  }
-};
-
-template <class From>
-void copyNode(const From& from, const typename From::NodeType* source, octomap::OcTree& to,
-              octomap::OcTreeNode* target)
-{
-  target->setLogOdds(source->getLogOdds());
-  for (unsigned i = 0; i < 8; ++i)
-    if (from.nodeChildExists(source, i))
-      copyNode(from, from.getNodeChild(source, i), to, to.createNodeChild(target, i));
-}
-
-template <class From>
-std::unique_ptr<octomap::OcTree> copyTree(const From& from)
-{
-  std::unique_ptr<octomap::OcTree> to;
-  if (from.getRoot())
-    to = std::make_unique<RootedTree>(from.getResolution());
-  else
-    to = std::make_unique<octomap::OcTree>(from.getResolution());
-  to->setOccupancyThres(from.getOccupancyThres());
-  to->setProbHit(from.getProbHit());
-  to->setProbMiss(from.getProbMiss());
-  to->setClampingThresMin(from.getClampingThresMin());
-  to->setClampingThresMax(from.getClampingThresMax());
-  if (from.getRoot()) copyNode(from, from.getRoot(), *to, to->getRoot());
-  return to;
-}
 }  // namespace
 
 const octomap::OcTree& octreeOf(const mrpt::maps::COctoMap& map)
@@ -101,16 +59,6 @@ const octomap::AbstractOcTree* octreeIn(const mrpt::serialization::CSerializable
     for (const auto& map : several->maps)
       if (const auto* tree = map ? octreeIn(*map) : nullptr) return tree;
   return nullptr;
-}
-
-std::unique_ptr<octomap::OcTree> toOcTree(const octomap::AbstractOcTree& tree)
-{
-  if (const auto* plain = dynamic_cast<const octomap::OcTree*>(&tree))
-    return std::make_unique<octomap::OcTree>(*plain);
-  if (const auto* color = dynamic_cast<const octomap::ColorOcTree*>(&tree)) return copyTree(*color);
-  if (const auto* stamped = dynamic_cast<const octomap::OcTreeStamped*>(&tree))
-    return copyTree(*stamped);
-  throw std::invalid_argument("octree type '" + tree.getTreeType() + "' holds no occupancy");
 }
 
 }  // namespace mrpt_mapconv::maps

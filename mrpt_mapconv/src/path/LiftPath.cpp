@@ -8,7 +8,6 @@
 #include <stdexcept>
 
 #include "Densify.h"
-#include "LookaheadFloor.h"
 #include "NearestHeight.h"
 #include "SlabMap.h"
 #include "SphereFit.h"
@@ -17,6 +16,35 @@ namespace mrpt_mapconv::path
 {
 namespace
 {
+/** For each point of a path the highest floor within `reach` of arc length before and behind, ends
+ * included.
+ *
+ * \param arc length of the path up to each point, not decreasing [m]
+ * \param floors below the points [m]; NaN where there is none
+ * \return NaN where no point in reach has a floor */
+std::vector<float> highestFloors(const std::vector<double>& arc, const std::vector<float>& floors,
+                                 double reach)
+{
+  std::vector<float> highest(arc.size(), std::numeric_limits<float>::quiet_NaN());
+  // Points in the window that may still become the highest: further on and lower, one after
+  // another.
+  std::vector<std::size_t> candidates;
+  std::size_t first = 0, next = 0;
+  for (std::size_t i = 0; i < arc.size(); ++i)
+  {
+    for (; next < arc.size() && arc[next] <= arc[i] + reach; ++next)
+    {
+      if (std::isnan(floors[next])) continue;
+      while (candidates.size() > first && floors[candidates.back()] <= floors[next])
+        candidates.pop_back();
+      candidates.push_back(next);
+    }
+    while (first < candidates.size() && arc[candidates[first]] < arc[i] - reach) ++first;
+    if (first < candidates.size()) highest[i] = floors[candidates[first]];
+  }
+  return highest;
+}
+
 using freespace::Layers;
 
 constexpr double kArcSlack = 1e-9;  // of a cell: both ends of the lookahead are included

@@ -1,4 +1,4 @@
-#include <mrpt_mapconv/grid/Require.h>
+#include <mrpt_mapconv/params/Require.h>
 #include <mrpt_mapconv/scan/LogOddsUpdate.h>
 
 #include <algorithm>
@@ -9,7 +9,7 @@
 
 namespace mrpt_mapconv::scan
 {
-using grid::require;
+using params::require;
 
 namespace
 {

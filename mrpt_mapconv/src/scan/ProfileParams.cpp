@@ -1,4 +1,4 @@
-#include <mrpt_mapconv/grid/Require.h>
+#include <mrpt_mapconv/params/Require.h>
 #include <mrpt_mapconv/scan/ProfileParams.h>
 
 #include <cmath>
@@ -8,7 +8,7 @@
 
 namespace mrpt_mapconv::scan
 {
-using grid::require;
+using params::require;
 
 namespace
 {

@@ -1,4 +1,4 @@
-#include <mrpt_mapconv/grid/Require.h>
+#include <mrpt_mapconv/params/Require.h>
 #include <mrpt_mapconv/scan/ScanProfile.h>
 
 #include <algorithm>
@@ -27,8 +27,8 @@ constexpr double kNoWall = std::numeric_limits<double>::infinity();
 void checkResolution(double resolution, const ProfileParams& params)
 {
   constexpr double kMostCells = 10000;  // of maxRange: rasters then have 50 MB each
-  grid::require(std::isfinite(resolution) && resolution > 0, "resolution", resolution,
-                "a cell size > 0 m");
+  params::require(std::isfinite(resolution) && resolution > 0, "resolution", resolution,
+                  "a cell size > 0 m");
   if (params.maxRange <= kMostCells * resolution) return;
   std::ostringstream message;
   message << "maxRange = " << params.maxRange << " is not valid: with resolution = " << resolution

@@ -12,7 +12,7 @@ namespace
 constexpr double kDegree = 3.14159265358979323846 / 180;
 }  // namespace
 
-Furniture::Furniture(maps::StrictSection& section, const TPoint2D& middle)
+Furniture::Furniture(params::StrictSection& section, const TPoint2D& middle)
 {
   double yaw = 0;
   section.read("yaw", yaw);
@@ -56,7 +56,7 @@ void Furniture::appendSolids(double x, double y, std::vector<Solid>& solids) con
   for (const Block& part : m_parts) part.appendSolids(x, y, solids);
 }
 
-Outline readOutline(maps::StrictSection& section)
+Outline readOutline(params::StrictSection& section)
 {
   const auto min = readPoint2D(section, "min"), max = readPoint2D(section, "max");
   if (!(min.x < max.x && min.y < max.y)) section.fail("max", "above min in x and y");

@@ -24,7 +24,7 @@ class Furniture : public Primitive
  protected:
   /** Reads what all furniture has: base, the floor's z [m], and yaw [degrees]; default 0.
    * \param middle x y [m] */
-  Furniture(maps::StrictSection& section, const mrpt::math::TPoint2D& middle);
+  Furniture(params::StrictSection& section, const mrpt::math::TPoint2D& middle);
 
   /** \param part its corners in the furniture's own frame [m] */
   void add(const Corners& part);
@@ -45,6 +45,6 @@ struct Outline
   mrpt::math::TPoint2D middle() const { return {(min.x + max.x) / 2, (min.y + max.y) / 2}; }
   mrpt::math::TPoint2D size() const { return {max.x - min.x, max.y - min.y}; }
 };
-Outline readOutline(maps::StrictSection& section);
+Outline readOutline(params::StrictSection& section);
 
 }  // namespace mrpt_mapconv::sim

@@ -19,7 +19,7 @@ std::int32_t toNoiseCells(double metres)
 }
 }  // namespace
 
-Relief Relief::read(maps::StrictSection& section)
+Relief Relief::read(params::StrictSection& section)
 {
   Relief relief;
   if (section.has("base")) relief.base = readNumber(section, "base");

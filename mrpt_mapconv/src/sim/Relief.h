@@ -1,7 +1,7 @@
 #pragma once
 
 #include <mrpt/math/TPoint2D.h>
-#include <mrpt_mapconv/maps/StrictSection.h>
+#include <mrpt_mapconv/params/StrictSection.h>
 
 #include <cstdint>
 
@@ -19,7 +19,7 @@ struct Relief
 
   /** Reads keys of these names, all optional but a wavelength for an amplitude.
    * \exception std::runtime_error naming section, key and value, and what would be right */
-  static Relief read(maps::StrictSection& section);
+  static Relief read(params::StrictSection& section);
   double heightAt(double x, double y) const;  //!< [m]
 };
 

@@ -1,6 +1,6 @@
 #include <mrpt/config/CConfigFileMemory.h>
-#include <mrpt_mapconv/maps/IniText.h>
-#include <mrpt_mapconv/maps/MrptError.h>
+#include <mrpt_mapconv/params/IniText.h>
+#include <mrpt_mapconv/params/Require.h>
 #include <mrpt_mapconv/sim/Scenario.h>
 
 #include <algorithm>
@@ -11,9 +11,9 @@
 
 namespace mrpt_mapconv::sim
 {
-using maps::StrictSection;
 using mrpt::config::CConfigFileMemory;
 using mrpt::math::TPoint3D;
+using params::StrictSection;
 
 namespace
 {
@@ -246,14 +246,14 @@ Scenario readScenario(const CConfigFileMemory& ini)
 
 Scenario Scenario::load(const std::string& file)
 {
-  const std::string text = maps::readIniText(file);
+  const std::string text = params::readIniText(file);
   try
   {
     return readScenario(CConfigFileMemory(text));
   }
   catch (const std::exception& error)
   {
-    throw std::runtime_error(file + ": " + maps::oneLine(error));
+    throw std::runtime_error(file + ": " + params::oneLine(error));
   }
 }
 

@@ -10,7 +10,7 @@ namespace
 // beyond it single precision, which rays have, is worth less than a decimetre
 constexpr double kFarthest = 1e6;
 
-void requireNear(maps::StrictSection& section, const std::string& key, const std::string& meaning,
+void requireNear(params::StrictSection& section, const std::string& key, const std::string& meaning,
                  const std::vector<double>& numbers)
 {
   for (const double number : numbers)
@@ -18,12 +18,12 @@ void requireNear(maps::StrictSection& section, const std::string& key, const std
 }
 }  // namespace
 
-void require(maps::StrictSection& section, const std::string& key, const std::string& meaning)
+void require(params::StrictSection& section, const std::string& key, const std::string& meaning)
 {
   if (!section.has(key)) section.fail(key, "given: " + meaning);
 }
 
-std::vector<double> readNumbers(maps::StrictSection& section, const std::string& key,
+std::vector<double> readNumbers(params::StrictSection& section, const std::string& key,
                                 std::size_t count, const std::string& meaning)
 {
   require(section, key, meaning);
@@ -34,24 +34,24 @@ std::vector<double> readNumbers(maps::StrictSection& section, const std::string&
   return numbers;
 }
 
-double readNumber(maps::StrictSection& section, const std::string& key)
+double readNumber(params::StrictSection& section, const std::string& key)
 {
   return readNumbers(section, key, 1, "one number")[0];
 }
 
-double readPositive(maps::StrictSection& section, const std::string& key)
+double readPositive(params::StrictSection& section, const std::string& key)
 {
   const double number = readNumbers(section, key, 1, "a number > 0")[0];
   if (!(number > 0)) section.fail(key, "a number > 0");
   return number;
 }
 
-double readPositive(maps::StrictSection& section, const std::string& key, double otherwise)
+double readPositive(params::StrictSection& section, const std::string& key, double otherwise)
 {
   return section.has(key) ? readPositive(section, key) : otherwise;
 }
 
-double readShare(maps::StrictSection& section, const std::string& key)
+double readShare(params::StrictSection& section, const std::string& key)
 {
   double share = 0;
   section.read(key, share);
@@ -59,19 +59,19 @@ double readShare(maps::StrictSection& section, const std::string& key)
   return share;
 }
 
-mrpt::math::TPoint2D readPoint2D(maps::StrictSection& section, const std::string& key)
+mrpt::math::TPoint2D readPoint2D(params::StrictSection& section, const std::string& key)
 {
   const auto v = readNumbers(section, key, 2, "two numbers, x y [m]");
   return {v[0], v[1]};
 }
 
-mrpt::math::TPoint3D readPoint3D(maps::StrictSection& section, const std::string& key)
+mrpt::math::TPoint3D readPoint3D(params::StrictSection& section, const std::string& key)
 {
   const auto v = readNumbers(section, key, 3, "three numbers, x y z [m]");
   return {v[0], v[1], v[2]};
 }
 
-std::vector<mrpt::math::TPoint2D> readLine(maps::StrictSection& section, const std::string& key)
+std::vector<mrpt::math::TPoint2D> readLine(params::StrictSection& section, const std::string& key)
 {
   const std::string meaning = "two or more points, x y x y ... [m]";
   require(section, key, meaning);
@@ -84,7 +84,7 @@ std::vector<mrpt::math::TPoint2D> readLine(maps::StrictSection& section, const s
   return line;
 }
 
-Corners readCorners(maps::StrictSection& section)
+Corners readCorners(params::StrictSection& section)
 {
   const Corners corners{readPoint3D(section, "min"), readPoint3D(section, "max")};
   for (int axis = 0; axis < 3; ++axis)
@@ -93,7 +93,7 @@ Corners readCorners(maps::StrictSection& section)
   return corners;
 }
 
-Direction readDirection(maps::StrictSection& section)
+Direction readDirection(params::StrictSection& section)
 {
   require(section, "direction", "+x or -x or +y or -y");
   int index = 0;

@@ -2,7 +2,7 @@
 
 #include <mrpt/math/TPoint2D.h>
 #include <mrpt/math/TPoint3D.h>
-#include <mrpt_mapconv/maps/StrictSection.h>
+#include <mrpt_mapconv/params/StrictSection.h>
 
 #include <array>
 #include <string>
@@ -14,21 +14,22 @@ namespace mrpt_mapconv::sim
 // std::runtime_error in one line naming section, key and value, and what would be right.
 
 /** Fails unless the key is there. \param meaning e.g. "two numbers, x y [m]" */
-void require(maps::StrictSection& section, const std::string& key, const std::string& meaning);
+void require(params::StrictSection& section, const std::string& key, const std::string& meaning);
 
 /** Exactly so many numbers within ±1e6. */
-std::vector<double> readNumbers(maps::StrictSection& section, const std::string& key,
+std::vector<double> readNumbers(params::StrictSection& section, const std::string& key,
                                 std::size_t count, const std::string& meaning);
-double readNumber(maps::StrictSection& section, const std::string& key);    //!< must be there
-double readPositive(maps::StrictSection& section, const std::string& key);  //!< must be there
+double readNumber(params::StrictSection& section, const std::string& key);    //!< must be there
+double readPositive(params::StrictSection& section, const std::string& key);  //!< must be there
 /** \param otherwise what a key that is not there means */
-double readPositive(maps::StrictSection& section, const std::string& key, double otherwise);
-double readShare(maps::StrictSection& section, const std::string& key);  //!< 0 … 1; 0 if not there
-mrpt::math::TPoint2D readPoint2D(maps::StrictSection& section, const std::string& key);
-mrpt::math::TPoint3D readPoint3D(maps::StrictSection& section, const std::string& key);
+double readPositive(params::StrictSection& section, const std::string& key, double otherwise);
+double readShare(params::StrictSection& section,
+                 const std::string& key);  //!< 0 … 1; 0 if not there
+mrpt::math::TPoint2D readPoint2D(params::StrictSection& section, const std::string& key);
+mrpt::math::TPoint3D readPoint3D(params::StrictSection& section, const std::string& key);
 
 /** A line through two or more points, x y x y … [m]; must be there. */
-std::vector<mrpt::math::TPoint2D> readLine(maps::StrictSection& section, const std::string& key);
+std::vector<mrpt::math::TPoint2D> readLine(params::StrictSection& section, const std::string& key);
 
 /** Keys min and max, the corners of a box of positive size. */
 struct Corners
@@ -41,7 +42,7 @@ struct Corners
   }
   mrpt::math::TPoint3D size() const { return {max.x - min.x, max.y - min.y, max.z - min.z}; }
 };
-Corners readCorners(maps::StrictSection& section);
+Corners readCorners(params::StrictSection& section);
 
 /** Key direction: towards +x, -x, +y or -y. */
 struct Direction
@@ -49,6 +50,6 @@ struct Direction
   bool alongY = false;
   bool backwards = false;
 };
-Direction readDirection(maps::StrictSection& section);
+Direction readDirection(params::StrictSection& section);
 
 }  // namespace mrpt_mapconv::sim

@@ -5,7 +5,8 @@
 #include <mrpt/obs/CObservationRobotPose.h>
 #include <mrpt/obs/CSensoryFrame.h>
 #include <mrpt/poses/CPose3DPDFGaussian.h>
-#include <mrpt_mapconv/grid/FileIo.h>
+#include <mrpt_mapconv/files/FileIo.h>
+#include <mrpt_mapconv/files/ObjectStream.h>
 #include <mrpt_mapconv/grid/GeoTiff.h>
 #include <mrpt_mapconv/grid/LayerPicture.h>
 #include <mrpt_mapconv/sim/SimulationFiles.h>
@@ -20,8 +21,6 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
-
-#include "ObjectStream.h"
 
 namespace mrpt_mapconv::sim
 {
@@ -40,7 +39,7 @@ class TrajectoryFile
  public:
   explicit TrajectoryFile(const std::string& path) : m_path(path)
   {
-    grid::writeFile(path, {});
+    files::writeFile(path, {});
     m_file.open(path, std::ios::binary | std::ios::trunc);
     m_file << "t,x,y,z,yaw,pitch,roll\n";
   }
@@ -57,8 +56,8 @@ class TrajectoryFile
   {
     errno = 0;
     m_file.close();
-    if (!m_file) grid::throwFileError("write", m_path, errno != 0 ? errno : EIO);
-    grid::checkWritten(m_path);
+    if (!m_file) files::throwFileError("write", m_path, errno != 0 ? errno : EIO);
+    files::checkWritten(m_path);
   }
 
  private:
@@ -113,7 +112,7 @@ CActionRobotMovement2D::TMotionModelOptions motionModel(const CPose2D& step,
 class Recorder
 {
  public:
-  Recorder(grid::OutputDir& out, const Scenario& scenario, std::uint32_t keyFrames)
+  Recorder(files::OutputDir& out, const Scenario& scenario, std::uint32_t keyFrames)
       : m_scenario(scenario),
         m_observations(out.path("scans.rawlog")),
         m_frames(out.path("frames.rawlog")),
@@ -173,8 +172,8 @@ class Recorder
   }
 
   const Scenario& m_scenario;
-  ObjectStream m_observations, m_frames;
-  SimpleMapStream m_map;
+  files::ObjectStream m_observations, m_frames;
+  files::SimpleMapStream m_map;
   TrajectoryFile m_trajectory;
   bool m_isFirst = true;
   CPose2D m_lastOdometry;
@@ -229,7 +228,7 @@ void writeInViewPicture(const std::string& path, grid::Layer<float> inView)
       {"In view: 3D returns per cell (log10)", "log10(returns)", grid::PictureKind::Height});
 }
 
-void writeTruth(grid::OutputDir& out, const Scenario& scenario, const grid::Layer<float>& inView)
+void writeTruth(files::OutputDir& out, const Scenario& scenario, const grid::Layer<float>& inView)
 {
   const auto layers = truthLayers(scenario.world, inView.frame(), scenario.truth);
   std::vector<grid::NamedLayer> bands;
@@ -258,7 +257,7 @@ void countReturns(const Moment& moment, grid::Layer<float>& inView)
   }
 }
 
-SimulationSummary simulateTo(grid::OutputDir& out, const Scenario& scenario, std::uint64_t seed,
+SimulationSummary simulateTo(files::OutputDir& out, const Scenario& scenario, std::uint64_t seed,
                              const std::function<void(double)>& progress)
 {
   const auto report = [&](double share)

@@ -134,7 +134,7 @@ class Driver
   double m_time = 0, m_yaw = 0;
 };
 
-double readPositive(maps::StrictSection& section, const std::string& key, double value)
+double readPositive(params::StrictSection& section, const std::string& key, double value)
 {
   section.read(key, value);
   if (!(value > 0)) section.fail(key, "a number > 0");
@@ -142,7 +142,7 @@ double readPositive(maps::StrictSection& section, const std::string& key, double
 }
 
 /** Rows of `columns` numbers each, at least two. */
-std::vector<std::vector<double>> readRows(maps::StrictSection& section, const std::string& key,
+std::vector<std::vector<double>> readRows(params::StrictSection& section, const std::string& key,
                                           std::size_t columns, const std::string& meaning)
 {
   std::vector<double> numbers;
@@ -155,7 +155,7 @@ std::vector<std::vector<double>> readRows(maps::StrictSection& section, const st
   return rows;
 }
 
-Trajectory readDrive(maps::StrictSection& section, const World& world)
+Trajectory readDrive(params::StrictSection& section, const World& world)
 {
   Drive drive;
   drive.speed = readPositive(section, "speed", 0);
@@ -190,7 +190,7 @@ double continued(double degrees, double before)
   return before + mrpt::math::wrapToPi(mrpt::DEG2RAD(degrees) - before);
 }
 
-Trajectory readPoses(maps::StrictSection& section)
+Trajectory readPoses(params::StrictSection& section)
 {
   std::vector<Knot> knots;
   const auto rows = readRows(section, "poses", 7, "t x y z yaw pitch roll [s, m, degrees]");
@@ -221,7 +221,7 @@ std::string placeText(const TPoint3D& point)
   return text.str();
 }
 
-Trajectory Trajectory::read(maps::StrictSection& section, const World& world)
+Trajectory Trajectory::read(params::StrictSection& section, const World& world)
 {
   const bool poses = section.has("poses");
   if (poses && section.has("waypoints"))

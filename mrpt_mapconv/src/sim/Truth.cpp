@@ -8,7 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "../freespace/Parallel.h"
+#include "../grid/Parallel.h"
 
 namespace mrpt_mapconv::sim
 {
@@ -187,13 +187,13 @@ void forEachCellWithin(const World& world, const grid::GridFrame& frame, int thr
       see(probe, Cell{frame.indexOfKey(kx, ky), kx * size, ky * size, x, y});
     }
   };
-  freespace::inParallel(static_cast<std::size_t>(std::max(0, frame.height)), threads,
-                        [&](std::size_t begin, std::size_t end)
-                        {
-                          Probe probe(world);
-                          for (std::size_t iy = begin; iy < end; ++iy)
-                            seeRow(probe, frame.y0 + static_cast<std::int32_t>(iy));
-                        });
+  grid::inParallel(static_cast<std::size_t>(std::max(0, frame.height)), threads,
+                   [&](std::size_t begin, std::size_t end)
+                   {
+                     Probe probe(world);
+                     for (std::size_t iy = begin; iy < end; ++iy)
+                       seeRow(probe, frame.y0 + static_cast<std::int32_t>(iy));
+                   });
 }
 
 /** Whether a solid reaches into zMin … zMax [m] on a line of the lattice. */

@@ -14,7 +14,7 @@ namespace
 using mrpt::math::TPoint2D;
 
 /** One size for all tunnels or one for each. */
-std::vector<double> readSizes(maps::StrictSection& section, const std::string& key,
+std::vector<double> readSizes(params::StrictSection& section, const std::string& key,
                               std::size_t count)
 {
   const std::string right = "one number > 0 [m], or one for each arch";
@@ -45,7 +45,7 @@ double distanceToLine(const TPoint2D& p, const std::vector<TPoint2D>& line)
 }
 }  // namespace
 
-Tunnels Tunnels::read(maps::StrictSection& section)
+Tunnels Tunnels::read(params::StrictSection& section)
 {
   Tunnels tunnels;
   for (std::size_t i = 1; section.has("arch_" + std::to_string(i)); ++i)

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <mrpt/math/TPoint2D.h>
-#include <mrpt_mapconv/maps/StrictSection.h>
+#include <mrpt_mapconv/params/StrictSection.h>
 
 #include <vector>
 
@@ -14,7 +14,7 @@ class Tunnels
   /** Reads arch_1 … arch_N (x y x y … [m], at least two points), archWidth and archHeight [m] (one
    * number for all or one for each), all or none.
    * \exception std::runtime_error naming section, key and value, and what would be right */
-  static Tunnels read(maps::StrictSection& section);
+  static Tunnels read(params::StrictSection& section);
 
   bool empty() const { return m_tunnels.empty(); }
   /** Height of the highest vault over a place [m]; 0 where there is none. */

@@ -70,7 +70,7 @@ mrpt::math::TPoint3D pointOf(const std::vector<double>& numbers, std::size_t fir
 
 World emptyWorld(const mrpt::config::CConfigFileBase& ini)
 {
-  maps::StrictSection section(ini, "world");
+  params::StrictSection section(ini, "world");
   const std::string meaning = "six numbers, xMin yMin zMin xMax yMax zMax [m]";
   const auto v = readNumbers(section, "bounds", 6, meaning);
   for (std::size_t axis = 0; axis < 3; ++axis)
@@ -92,7 +92,7 @@ std::unique_ptr<Primitive> readPrimitive(const mrpt::config::CConfigFileBase& in
   if (dot == std::string::npos || dot + 1 == name.size())
     throw std::runtime_error("section '" + name + "' has no name of its own: it must be " + kind +
                              ".NAME");
-  maps::StrictSection section(ini, name);
+  params::StrictSection section(ini, name);
   auto primitive = read(section);
   section.refuseUnknown("a " + kind);
   return primitive;

@@ -1,4 +1,4 @@
-#include <mrpt_mapconv/grid/FileIo.h>
+#include <mrpt_mapconv/files/FileIo.h>
 #include <mrpt_mapconv/voxel/OctreeFile.h>
 #include <octomap/ColorOcTree.h>
 #include <octomap/OcTree.h>
@@ -170,7 +170,7 @@ void writeOctreeFile(const std::string& path, const AbstractOccupancyOcTree& tre
   if (!remark.empty()) bytes << "# " << remark << "\n";
   bytes << "id OcTree\nsize " << tree.size() << "\nres " << tree.getResolution() << "\ndata\n";
   tree.writeBinaryData(bytes);
-  grid::writeFile(path, bytes.str());
+  files::writeFile(path, bytes.str());
 }
 
 }  // namespace mrpt_mapconv::voxel

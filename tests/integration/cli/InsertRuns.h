@@ -7,7 +7,7 @@
 
 #include "Program.h"
 #include "ScanFiles.h"
-#include "unit/grid/TempDir.h"
+#include "support/TempDir.h"
 
 /** What the tests of mapconv insert share. */
 namespace mrpt_mapconv::testing

@@ -8,7 +8,7 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "unit/grid/TempDir.h"
+#include "support/TempDir.h"
 
 namespace mrpt_mapconv::testing
 {

@@ -6,11 +6,11 @@
 #include <filesystem>
 #include <functional>
 
-#include "HandMap.h"
+#include "OctreeFiles.h"
 #include "Program.h"
 #include "ScanFiles.h"
 #include "StrictJson.h"
-#include "unit/grid/TempDir.h"
+#include "support/TempDir.h"
 
 using namespace mrpt_mapconv::testing;
 namespace fs = std::filesystem;

@@ -8,11 +8,11 @@
 #include <filesystem>
 #include <set>
 
-#include "HandMap.h"
+#include "OctreeFiles.h"
 #include "Program.h"
 #include "Raster.h"
 #include "StrictJson.h"
-#include "unit/grid/TempDir.h"
+#include "support/TempDir.h"
 
 using namespace mrpt_mapconv::testing;
 

@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "Program.h"
-#include "unit/grid/TempDir.h"
+#include "support/TempDir.h"
 
 using namespace mrpt_mapconv::testing;
 

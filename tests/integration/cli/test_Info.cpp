@@ -2,11 +2,11 @@
 #include <mrpt/maps/COctoMap.h>
 #include <mrpt_mapconv/maps/CScanShapeGridMap2D.h>
 
-#include "HandMap.h"
+#include "OctreeFiles.h"
 #include "Program.h"
 #include "ScanFiles.h"
 #include "StrictJson.h"
-#include "unit/grid/TempDir.h"
+#include "support/TempDir.h"
 
 using namespace mrpt_mapconv::testing;
 

@@ -2,10 +2,10 @@
 
 #include <filesystem>
 
-#include "HandMap.h"
+#include "OctreeFiles.h"
 #include "Program.h"
 #include "StrictJson.h"
-#include "unit/grid/TempDir.h"
+#include "support/TempDir.h"
 
 using namespace mrpt_mapconv::testing;
 
@@ -59,8 +59,9 @@ TEST_F(IniFile, flagsWin)
 TEST_F(IniFile, theShippedFileHoldsTheDefaults)
 {
   const auto without = convertWith("[conversion]\n");
-  const auto with = mapconv({"convert", m_dir.path("hand.bt"), "-o", m_dir.path("out"), "-c",
-                             MRPT_MAPCONV_SOURCE_DIR "/config/conversion.ini", "--json"});
+  const auto with =
+      mapconv({"convert", m_dir.path("hand.bt"), "-o", m_dir.path("out"), "-c",
+               MRPT_MAPCONV_SOURCE_DIR "/config/freeSpaceGrid/convert.ini", "--json"});
   ASSERT_EQ(0, with.status) << with.err;
   EXPECT_EQ(without.err, with.err) << "no warning of its own";
   const JsonValue a = parseJson(without.out)["parameters"], b = parseJson(with.out)["parameters"];

@@ -11,7 +11,7 @@
 #include "Raster.h"
 #include "ScanFiles.h"
 #include "StrictJson.h"
-#include "unit/grid/TempDir.h"
+#include "support/TempDir.h"
 
 using namespace mrpt_mapconv::testing;
 

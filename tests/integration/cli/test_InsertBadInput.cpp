@@ -6,9 +6,9 @@
 #include <functional>
 #include <map>
 
-#include "HandMap.h"
 #include "InsertRuns.h"
-#include "unit/grid/TempDir.h"
+#include "OctreeFiles.h"
+#include "support/TempDir.h"
 
 using namespace mrpt_mapconv::testing;
 namespace fs = std::filesystem;

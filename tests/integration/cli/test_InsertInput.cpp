@@ -2,7 +2,7 @@
 #include <mrpt/config/CConfigFile.h>
 #include <mrpt/config/CConfigFileMemory.h>
 #include <mrpt/maps/COccupancyGridMap2D.h>
-#include <mrpt_mapconv/maps/ScanInsertionOptions.h>
+#include <mrpt_mapconv/scan/ScanInsertionOptions.h>
 
 #include <array>
 #include <filesystem>
@@ -12,10 +12,10 @@
 
 #include "InsertRuns.h"
 #include "StrictJson.h"
-#include "unit/grid/TempDir.h"
+#include "support/TempDir.h"
 
 using namespace mrpt_mapconv::testing;
-using mrpt_mapconv::maps::TScanInsertionOptions;
+using mrpt_mapconv::scan::TScanInsertionOptions;
 namespace fs = std::filesystem;
 
 // What mapconv insert is told: ini files and flags.
@@ -108,7 +108,7 @@ TEST_F(InsertInput, iniSetsAndFlagsWin)
 
 TEST_F(InsertInput, theShippedFileHoldsTheDefaults)
 {
-  const std::string file = MRPT_MAPCONV_SOURCE_DIR "/config/scan-insertion.ini";
+  const std::string file = MRPT_MAPCONV_SOURCE_DIR "/config/scanShapeGrid/insert.ini";
   const auto without = insert("chair.rawlog", {"--structure", "2.2", "2.6"});
   const auto with = insert("chair.rawlog", {"-c", file});
   ASSERT_EQ(0, with.status) << with.err;

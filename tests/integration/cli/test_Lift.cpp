@@ -3,10 +3,10 @@
 #include <filesystem>
 #include <fstream>
 
-#include "HandMap.h"
+#include "OctreeFiles.h"
 #include "Program.h"
 #include "StrictJson.h"
-#include "unit/grid/TempDir.h"
+#include "support/TempDir.h"
 
 using namespace mrpt_mapconv::testing;
 

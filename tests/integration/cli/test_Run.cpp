@@ -5,7 +5,7 @@
 #include <fstream>
 
 #include "Program.h"
-#include "unit/grid/TempDir.h"
+#include "support/TempDir.h"
 
 using namespace mrpt_mapconv::testing;
 
@@ -64,7 +64,8 @@ TEST(Run, warnsOfMapsThatMrptWouldIgnoreSilently)
   EXPECT_TRUE(contains(typo.err, "freeSpaceGird_count")) << typo.err;
   EXPECT_FALSE(contains(typo.err, "sample_count")) << typo.err;
 
-  const std::string good = std::string(MRPT_MAPCONV_SOURCE_DIR) + "/config/observations2map.ini";
+  const std::string good =
+      std::string(MRPT_MAPCONV_SOURCE_DIR) + "/config/freeSpaceGrid/observations2map.ini";
   EXPECT_EQ("", mapconv({"run", "--", "true", good}).err);
 }
 

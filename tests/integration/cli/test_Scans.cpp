@@ -10,7 +10,7 @@
 #include "Raster.h"
 #include "ScanFiles.h"
 #include "StrictJson.h"
-#include "unit/grid/TempDir.h"
+#include "support/TempDir.h"
 
 using namespace mrpt_mapconv::testing;
 

@@ -7,7 +7,7 @@
 #include "Program.h"
 #include "Raster.h"
 #include "StrictJson.h"
-#include "unit/grid/TempDir.h"
+#include "support/TempDir.h"
 
 using namespace mrpt_mapconv::testing;
 

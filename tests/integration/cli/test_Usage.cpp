@@ -2,9 +2,9 @@
 
 #include <filesystem>
 
-#include "HandMap.h"
+#include "OctreeFiles.h"
 #include "Program.h"
-#include "unit/grid/TempDir.h"
+#include "support/TempDir.h"
 
 using namespace mrpt_mapconv::testing;
 

@@ -9,7 +9,7 @@ trap 'rm -rf "$work"' EXIT
 
 cmake --install "$build" --prefix "$work/prefix" >/dev/null
 find "$work"/prefix/lib* -name libmrpt_mapconv.so | grep -q .
-test -f "$work/prefix/share/mrpt_mapconv/config/observations2map.ini"
+test -f "$work/prefix/share/mrpt_mapconv/config/freeSpaceGrid/observations2map.ini"
 test -f "$work/prefix/include/mrpt_mapconv/maps/CFreeSpaceGridMap2D.h"
 
 cmake -S "$here" -B "$work/consumer" -DCMAKE_PREFIX_PATH="$work/prefix" >"$work/log" 2>&1 ||

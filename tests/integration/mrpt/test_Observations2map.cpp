@@ -12,11 +12,12 @@
 // The stock program observations2map, driven only by its ini file and our plugin.
 
 using namespace mrpt_mapconv;
-using namespace mrpt_mapconv::maps::fixtures;
+using namespace mrpt_mapconv::fixtures;
 
 namespace
 {
-const std::string kIniFile = std::string(MRPT_MAPCONV_SOURCE_DIR) + "/config/observations2map.ini";
+const std::string kIniFile =
+    std::string(MRPT_MAPCONV_SOURCE_DIR) + "/config/freeSpaceGrid/observations2map.ini";
 const std::string kIni = "'" + kIniFile + "'";
 const std::string kPreload =
     "LD_PRELOAD=libmrpt_mapconv.so LD_LIBRARY_PATH=\"$(dirname '" MRPT_MAPCONV_LIBRARY "')\" ";

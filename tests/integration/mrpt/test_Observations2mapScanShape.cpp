@@ -13,13 +13,13 @@
 // The stock program observations2map with our scan-shape map, from its ini file and our plugin.
 
 using namespace mrpt_mapconv;
-using namespace mrpt_mapconv::maps::fixtures;
+using namespace mrpt_mapconv::fixtures;
 using mrpt::poses::CPose3D;
 
 namespace
 {
 const std::string kIniFile =
-    std::string(MRPT_MAPCONV_SOURCE_DIR) + "/config/observations2map-scanshape.ini";
+    std::string(MRPT_MAPCONV_SOURCE_DIR) + "/config/scanShapeGrid/observations2map.ini";
 const std::string kPreload =
     "LD_PRELOAD=libmrpt_mapconv.so LD_LIBRARY_PATH=\"$(dirname '" MRPT_MAPCONV_LIBRARY "')\" ";
 const std::string kSaved = "out_mrpt_mapconv__CScanShapeGridMap2D_00_occupancy.tif";

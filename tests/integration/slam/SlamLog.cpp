@@ -7,9 +7,9 @@
 #include <mrpt/obs/CObservationPointCloud.h>
 #include <mrpt/obs/CRawlog.h>
 #include <mrpt/serialization/CArchive.h>
+#include <mrpt_mapconv/eval/MapScore.h>
 #include <mrpt_mapconv/grid/GeoTiff.h>
 #include <mrpt_mapconv/grid/OccupancyCell.h>
-#include <mrpt_mapconv/sim/MapScore.h>
 #include <mrpt_mapconv/sim/SimulationFiles.h>
 #include <mrpt_mapconv/sim/Truth.h>
 #include <sys/wait.h>
@@ -29,7 +29,7 @@ const std::string kWorld =
 void simulateInto(const std::string& dir)
 {
   const auto scenario = sim::Scenario::load(kWorld);
-  grid::OutputDir out(dir);
+  files::OutputDir out(dir);
   sim::simulateTo(out, scenario, 1);
   out.commit();
 }
@@ -125,11 +125,11 @@ std::string SlamLog::said() const
 void SlamLog::expectRight(const grid::Layer<float>& ground, const std::string& name) const
 {
   const auto truth = grid::readGeoTiffBand(file("truth.tif"), "ground");
-  const auto judged = sim::cellsFrom(grid::readGeoTiffBand(file("truth.tif"), "inView"), 1);
-  const auto near = sim::scoreWithinOneCell(ground, truth, judged);
-  expectAll(name, {{"rightWithinOneCell", sim::shareRightWithinOneCell(ground, truth, judged), 0.9,
+  const auto judged = eval::cellsFrom(grid::readGeoTiffBand(file("truth.tif"), "inView"), 1);
+  const auto near = eval::scoreWithinOneCell(ground, truth, judged);
+  expectAll(name, {{"rightWithinOneCell", eval::shareRightWithinOneCell(ground, truth, judged), 0.9,
                     "0.948 to 0.987"},
-                   {"right", sim::shareRight(ground, truth, judged), 0.75, "0.806 to 0.889"},
+                   {"right", eval::shareRight(ground, truth, judged), 0.75, "0.806 to 0.889"},
                    {"freePrecision", near.free.precision(), 0.95, "0.991 to 1"},
                    {"freeRecall", near.free.recall(), 0.95, "0.973 to 0.992"},
                    {"occupiedPrecision", near.occupied.precision(), 0.6, "0.660 to 0.859"},
@@ -161,12 +161,12 @@ void SlamLog::expectRightShape(const std::string& occupancyTif, bool inStartFram
   if (inStartFrame) map = movedToWorld(map);
 
   const auto scenario = sim::Scenario::load(kWorld);
-  constexpr double zMin = 0.05, zMax = 1.5;  // the object slice in config/*-scanshape.ini
+  constexpr double zMin = 0.05, zMax = 1.5;  // the object slice in config/scanShapeGrid/*.ini
   const auto truth = sim::obstacleLayer(
       scenario.world, sim::frameOf(scenario.world, map.frame().resolution), zMin, zMax);
-  const auto judged = sim::cellsToLabel(truth, m_first.x(), m_first.y());
-  const auto near = sim::scoreWithinOneCell(map, truth, judged);
-  const auto exact = sim::scoreOccupancy(map, truth, judged);
+  const auto judged = eval::cellsToLabel(truth, m_first.x(), m_first.y());
+  const auto near = eval::scoreWithinOneCell(map, truth, judged);
+  const auto exact = eval::scoreOccupancy(map, truth, judged);
   // Furniture is seen over, and this lidar's rays are too far apart to fill it: its insides are
   // free.
   expectAll(occupancyTif, {{"freeRight", exact.free.precision(), 0.9, "0.961 to 0.981"},

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "unit/grid/TempDir.h"
+#include "support/TempDir.h"
 
 namespace mrpt_mapconv::testing
 {

@@ -11,7 +11,9 @@ const std::string kOurMap = "LOG_ICP-SLAM/_finalmaps_.txt_mrpt_mapconv__CFreeSpa
 
 void runIcpSlam(const SlamLog& log, const std::string& rawlog)
 {
-  ASSERT_EQ(log.run(withPlugin() + "icp-slam " + configFile("icp-slam.ini") + " " + rawlog), 0)
+  ASSERT_EQ(
+      log.run(withPlugin() + "icp-slam " + configFile("freeSpaceGrid/icp-slam.ini") + " " + rawlog),
+      0)
       << log.said();
   EXPECT_FALSE(isUniform(log.file(kMap2D + ".png"))) << rawlog;
 }

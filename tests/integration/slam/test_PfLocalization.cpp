@@ -48,8 +48,8 @@ int convert(const SlamLog& log)
 
 int observations2map(const SlamLog& log)
 {
-  return log.run(withPlugin() + "observations2map " + configFile("observations2map.ini") +
-                 " scans.simplemap out");
+  return log.run(withPlugin() + "observations2map " +
+                 configFile("freeSpaceGrid/observations2map.ini") + " scans.simplemap out");
 }
 
 /** The beginning of the files of the map that the program says it used. */
@@ -98,7 +98,7 @@ TEST(PfLocalization, FindsItselfInAPlainGridMapWithoutThePlugin)
   log.expectRight(cellsOf(log.file("map.gridmap")), "ground.gridmap");
   for (const char* rawlog : {"scans.rawlog", "frames.rawlog"})
   {
-    const std::string ini = configFile("pf-localization-gridmap.ini");
+    const std::string ini = configFile("freeSpaceGrid/pf-localization-gridmap.ini");
     ASSERT_EQ(log.run("pf-localization " + ini + " " + rawlog), 0) << log.said();
     EXPECT_LT(log.errorOfEstimate(), 0.3) << rawlog << log.said();
   }
@@ -108,12 +108,12 @@ TEST(PfLocalization, FindsItselfInTheMapOfObservations2map)
 {
   const SlamLog log;
   ASSERT_EQ(observations2map(log), 0) << log.said();
-  expectToFindItself(log, "pf-localization-freespace.ini");
+  expectToFindItself(log, "freeSpaceGrid/pf-localization.ini");
 }
 
 TEST(PfLocalization, FindsItselfInTheMapOfASimpleMap)
 {
-  expectToFindItself(SlamLog(), "pf-localization-simplemap.ini");
+  expectToFindItself(SlamLog(), "freeSpaceGrid/pf-localization-simplemap.ini");
 }
 
 /** The 2D scans alone are one voxel high: voxels are known, but nothing is free. */
@@ -131,9 +131,9 @@ TEST(PfLocalization, HasAnUnknownMapWithoutThe3DScans)
       << log.said();
   expectUnknown(log, "out_mrpt_mapconv__CFreeSpaceGridMap2D_00_layers.tif");
 
-  expectNoFreeCells(log, "pf-localization-freespace.ini");
+  expectNoFreeCells(log, "freeSpaceGrid/pf-localization.ini");
   expectUnknown(log, kUsedMap + "_layers.tif");
-  expectNoFreeCells(log, "pf-localization-simplemap.ini");
+  expectNoFreeCells(log, "freeSpaceGrid/pf-localization-simplemap.ini");
   EXPECT_TRUE(isUniform(log.file(kUsedMap + ".png")));
   EXPECT_FALSE(std::filesystem::exists(log.file(kUsedMap + "_layers.tif")));
 }
@@ -147,13 +147,13 @@ TEST(PfLocalization, RefusesAMapOfTheOtherClass)
   ASSERT_EQ(convert(log), 0) << log.said();
   std::filesystem::copy(log.file("maps/ground.gridmap"), log.file("out_gridmap_no00.gridmap"));
   EXPECT_NE(log.run(withPlugin() + "pf-localization " +
-                    configFile("pf-localization-freespace.ini") + " frames.rawlog"),
+                    configFile("freeSpaceGrid/pf-localization.ini") + " frames.rawlog"),
             0);
   expectSaid("Stored class does not match with existing object");
   ASSERT_EQ(observations2map(log), 0) << log.said();
   std::filesystem::copy(log.file("out_gridmap_no00.gridmap"), log.file("map.gridmap"));
-  EXPECT_NE(
-      log.run("pf-localization " + configFile("pf-localization-gridmap.ini") + " frames.rawlog"),
-      0);
+  EXPECT_NE(log.run("pf-localization " + configFile("freeSpaceGrid/pf-localization-gridmap.ini") +
+                    " frames.rawlog"),
+            0);
   expectSaid("'mrpt_mapconv::CFreeSpaceGridMap2D' which is not registered");
 }

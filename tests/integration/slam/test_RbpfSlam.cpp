@@ -34,7 +34,7 @@ std::string changedIni(const SlamLog& log, std::string text, const std::string& 
 TEST(RbpfSlam, MapsActionsAndFramesAsTheyAre)
 {
   const SlamLog log;
-  ASSERT_NO_FATAL_FAILURE(runRbpfSlam(log, configFile("rbpf-slam.ini"), "00"));
+  ASSERT_NO_FATAL_FAILURE(runRbpfSlam(log, configFile("freeSpaceGrid/rbpf-slam.ini"), "00"));
   log.expectRight(finalMap("mrpt_mapconv__CFreeSpaceGridMap2D_01_layers.tif"), kInStartFrame);
 }
 
@@ -42,7 +42,7 @@ TEST(RbpfSlam, HasAnEmptyMapWithoutThe3DScans)
 {
   SlamLog log;
   log.remove3D();
-  ASSERT_NO_FATAL_FAILURE(runRbpfSlam(log, configFile("rbpf-slam.ini"), "00"));
+  ASSERT_NO_FATAL_FAILURE(runRbpfSlam(log, configFile("freeSpaceGrid/rbpf-slam.ini"), "00"));
   const auto ours = log.file(finalMap("mrpt_mapconv__CFreeSpaceGridMap2D_01"));
   EXPECT_TRUE(isUniform(ours + ".png"));
   EXPECT_FALSE(std::filesystem::exists(ours + "_layers.tif"));
@@ -53,7 +53,8 @@ TEST(RbpfSlam, HasAnEmptyMapWithoutThe3DScans)
 TEST(RbpfSlam, MapsRightWhenItResizesOurGrid)
 {
   SlamLog log;
-  auto ini = readBytes(std::string(MRPT_MAPCONV_SOURCE_DIR) + "/config/rbpf-slam.ini");
+  auto ini =
+      readBytes(std::string(MRPT_MAPCONV_SOURCE_DIR) + "/config/freeSpaceGrid/rbpf-slam.ini");
   ini = changedIni(log, ini, "COccupancyGridMap2D_", "occupancyGrid_");
   ini = changedIni(log, ini, "LOG_FREQUENCY        = 100", "LOG_FREQUENCY        = 7");
   ini = changedIni(log, ini, "GENERATE_LOG_INFO    = false", "GENERATE_LOG_INFO    = true");

@@ -35,7 +35,7 @@ void expectUnknown(const SlamLog& log, const std::string& map)
 std::string iniForSavedMap(const SlamLog& log)
 {
   auto ini =
-      readBytes(std::string(MRPT_MAPCONV_SOURCE_DIR) + "/config/pf-localization-scanshape.ini");
+      readBytes(std::string(MRPT_MAPCONV_SOURCE_DIR) + "/config/scanShapeGrid/pf-localization.ini");
   const std::string from = "scans.simplemap\n";
   const auto at = ini.find("= " + from);
   EXPECT_NE(at, std::string::npos);
@@ -44,7 +44,10 @@ std::string iniForSavedMap(const SlamLog& log)
   return "saved.ini";
 }
 
-std::string iniOf(const std::string& program) { return configFile(program + "-scanshape.ini"); }
+std::string iniOf(const std::string& program)
+{
+  return configFile("scanShapeGrid/" + program + ".ini");
+}
 }  // namespace
 
 TEST(ScanShapeMaps, IcpSlamMapsRight)

@@ -5,7 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "HandMap.h"
+#include "support/HandMap.h"
 
 namespace
 {

@@ -4,7 +4,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "HandMap.h"
+#include "support/HandMap.h"
 
 namespace
 {

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 #include <mrpt_mapconv/freespace/Conversion.h>
 
-#include "HandMap.h"
+#include "support/HandMap.h"
 
 namespace
 {

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 #include <mrpt_mapconv/freespace/Layers.h>
 
-#include "HandMap.h"
+#include "support/HandMap.h"
 
 namespace
 {

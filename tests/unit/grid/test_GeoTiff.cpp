@@ -1,12 +1,12 @@
 #include <gdal.h>
-#include <mrpt_mapconv/grid/FileIo.h>
+#include <mrpt_mapconv/files/FileIo.h>
 #include <mrpt_mapconv/grid/GeoTiff.h>
 
 #include <cmath>
 #include <limits>
 #include <random>
 
-#include "TempDir.h"
+#include "support/TempDir.h"
 
 using namespace mrpt_mapconv::grid;
 using namespace mrpt_mapconv::testing;
@@ -130,7 +130,7 @@ TEST(GeoTiff, errorsNameTheFile)
 {
   const TempDir dir;
   const Layer<float> layer(GridFrame{0.1, 0, 0, 2, 2}, 0);
-  writeFile(dir.path("file"), "no TIFF");
+  mrpt_mapconv::files::writeFile(dir.path("file"), "no TIFF");
   const auto write = messageOf([&] { writeGeoTiff(dir.path("file/x.tif"), {{"a", &layer}}); });
   EXPECT_EQ(write, "cannot write '" + dir.path("file/x.tif") + "': Not a directory");
   for (const char* name : {"file", "none"})

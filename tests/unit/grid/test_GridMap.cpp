@@ -5,7 +5,7 @@
 
 #include <random>
 
-#include "TempDir.h"
+#include "support/TempDir.h"
 
 using namespace mrpt_mapconv::grid;
 using namespace mrpt_mapconv::testing;

@@ -7,7 +7,7 @@
 #include <map>
 #include <random>
 
-#include "TempDir.h"
+#include "support/TempDir.h"
 
 using namespace mrpt_mapconv::grid;
 using namespace mrpt_mapconv::testing;

@@ -9,9 +9,9 @@
 #include <cmath>
 #include <cstring>
 
-#include "ScanFixtures.h"
+#include "support/ScanFixtures.h"
 
-namespace mrpt_mapconv::maps::fixtures
+namespace mrpt_mapconv::fixtures
 {
 /** Voxels [z, z + height) of column (x, y), all free ('f') or occupied ('#'). */
 inline void column(octomap::OcTree& tree, int x, int y, int z, char state, int height)
@@ -54,4 +54,4 @@ inline void expectSameBits(const freespace::Layers& a, const freespace::Layers& 
     EXPECT_EQ(std::memcmp(x.data(), y.data(), x.size() * sizeof(float)), 0) << left[i].first;
   }
 }
-}  // namespace mrpt_mapconv::maps::fixtures
+}  // namespace mrpt_mapconv::fixtures

@@ -11,9 +11,9 @@
 #include <functional>
 #include <limits>
 
-#include "ScanFixtures.h"
+#include "support/ScanFixtures.h"
 
-namespace mrpt_mapconv::maps::fixtures
+namespace mrpt_mapconv::fixtures
 {
 /** A room without anything in it, whose floor is at z = 0 [m]. */
 struct Room
@@ -140,4 +140,4 @@ inline std::size_t countCells(const CScanShapeGridMap2D& map, const std::functio
       std::count_if(map.getRawMap().begin(), map.getRawMap().end(), is));
 }
 
-}  // namespace mrpt_mapconv::maps::fixtures
+}  // namespace mrpt_mapconv::fixtures

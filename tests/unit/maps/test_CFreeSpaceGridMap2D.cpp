@@ -13,7 +13,7 @@
 #include "FreeSpaceMapFixtures.h"
 
 using namespace mrpt_mapconv;
-using namespace mrpt_mapconv::maps::fixtures;
+using namespace mrpt_mapconv::fixtures;
 
 TEST(CFreeSpaceGridMap2D, ANewMapIsEmptyAndUnknown)
 {
@@ -52,14 +52,14 @@ TEST(CFreeSpaceGridMap2D, TheGridShowsTheLayerOfTheRobot)
   // wall | free | step | step | unknown | unknown
   EXPECT_EQ(map.getRawMap(), (std::vector<std::int8_t>{-127, 127, -127, -127, 0, 0}));
 
-  options.robot = maps::Robot::Aerial;
+  options.robot = freespace::Robot::Aerial;
   map.setConversionOptions(options);
   EXPECT_EQ(map.getRawMap(), (std::vector<std::int8_t>{-127, 127, 127, 127, 0, 0}));
 }
 
 TEST(CFreeSpaceGridMap2D, InsertingScansGivesWhatAFullConversionGives)
 {
-  for (const auto robot : {maps::Robot::Ground, maps::Robot::Aerial})
+  for (const auto robot : {freespace::Robot::Ground, freespace::Robot::Aerial})
   {
     CFreeSpaceGridMap2D map(0.2);
     auto options = map.conversionOptions();
@@ -72,7 +72,8 @@ TEST(CFreeSpaceGridMap2D, InsertingScansGivesWhatAFullConversionGives)
     const voxel::OctreeSource<octomap::OcTree> source(map.octree());
     const auto full = freespace::convert(source, options.params, 1);
     expectSameBits(map.exactLayers(), full);
-    const auto& shown = robot == maps::Robot::Ground ? map.layers().ground : map.layers().aerial;
+    const auto& shown =
+        robot == freespace::Robot::Ground ? map.layers().ground : map.layers().aerial;
     ASSERT_EQ(map.getRawMap().size(), shown.cells().size());
     for (std::size_t i = 0; i < shown.cells().size(); ++i)
       ASSERT_EQ(map.getRawMap()[i], grid::rawGridCell(shown.cells()[i])) << i;

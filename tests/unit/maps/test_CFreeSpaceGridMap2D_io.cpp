@@ -9,7 +9,7 @@
 #include "FreeSpaceMapFixtures.h"
 
 using namespace mrpt_mapconv;
-using namespace mrpt_mapconv::maps::fixtures;
+using namespace mrpt_mapconv::fixtures;
 using mrpt::maps::CMultiMetricMap;
 using mrpt::maps::TSetOfMetricMapInitializers;
 
@@ -19,8 +19,8 @@ namespace
 CFreeSpaceGridMap2D unusualMap()
 {
   CFreeSpaceGridMap2D map(0.2);
-  maps::TConversionOptions options;
-  options.robot = maps::Robot::Aerial;
+  freespace::TConversionOptions options;
+  options.robot = freespace::Robot::Aerial;
   options.params = {0.6, 0.3, 3, 0.8, 0.4};
   map.setConversionOptions(options);
   map.voxelInsertionOptions.maxrange = 9;
@@ -274,7 +274,7 @@ TEST(CFreeSpaceGridMap2D_io, IsMadeFromIniUnderBothNames)
   EXPECT_FALSE(map->genericMapParams.enableObservationLikelihood);
   EXPECT_EQ(map->voxelInsertionOptions.maxrange, 7);
   EXPECT_FALSE(map->voxelInsertionOptions.insert2D);
-  EXPECT_EQ(map->conversionOptions().robot, maps::Robot::Aerial);
+  EXPECT_EQ(map->conversionOptions().robot, freespace::Robot::Aerial);
   EXPECT_EQ(map->conversionOptions().params.minClearance, 0.9);
   EXPECT_EQ(map->likelihoodOptions.likelihoodMethod, mrpt::maps::COccupancyGridMap2D::lmConsensus);
   EXPECT_EQ(map->likelihoodOptions.LF_stdHit, 0.11f);

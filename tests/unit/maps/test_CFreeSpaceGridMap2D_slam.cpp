@@ -12,7 +12,7 @@
 // What MRPT's SLAM programs do to the map: copies, grids resized behind its back, timed insertions.
 
 using namespace mrpt_mapconv;
-using namespace mrpt_mapconv::maps::fixtures;
+using namespace mrpt_mapconv::fixtures;
 
 namespace
 {

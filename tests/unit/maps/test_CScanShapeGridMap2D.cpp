@@ -1,8 +1,8 @@
 #include <mrpt/io/CMemoryStream.h>
 #include <mrpt/serialization/CArchive.h>
 #include <mrpt_mapconv/grid/OccupancyCell.h>
-#include <mrpt_mapconv/maps/ObservationPoints.h>
-#include <mrpt_mapconv/maps/ScanLog.h>
+#include <mrpt_mapconv/observation/ObservationPoints.h>
+#include <mrpt_mapconv/observation/ScanLog.h>
 #include <mrpt_mapconv/scan/LogOddsUpdate.h>
 
 #include <cstring>
@@ -10,7 +10,7 @@
 #include "ScanShapeFixtures.h"
 
 using namespace mrpt_mapconv;
-using namespace mrpt_mapconv::maps::fixtures;
+using namespace mrpt_mapconv::fixtures;
 using mrpt::poses::CPose3D;
 
 TEST(CScanShapeGridMap2D, ANewMapIsSmallEmptyAndUnknown)
@@ -58,7 +58,7 @@ TEST(CScanShapeGridMap2D, AScanInsertedIsItsProfile)
   ASSERT_TRUE(map.insertObservation(scan, robot));
 
   scan::ScanProfile profile;
-  const auto points = maps::sensorPoints(scan, robot);
+  const auto points = observation::sensorPoints(scan, robot);
   ASSERT_TRUE(points);
   profile.compute(points->points, {points->sensorPose, 5, 0}, 0.07,
                   map.scanInsertionOptions.profile);
@@ -227,9 +227,9 @@ TEST(CScanShapeGridMap2D, RealScans)
   map.scanInsertionOptions.profile.objectMaxZ = 2;
   map.scanInsertionOptions.profile.structureMinZ = 2.1;
   map.scanInsertionOptions.profile.structureMaxZ = 2.6;
-  maps::RawlogOptions standing;
+  observation::RawlogOptions standing;
   standing.staticSensor = true;
-  for (const auto& scan : maps::readRawlog(path, standing))
+  for (const auto& scan : observation::readRawlog(path, standing))
   {
     const auto before = bytes(*scan.observation);
     ASSERT_TRUE(map.insertObservation(*scan.observation, scan.robotPose));

@@ -5,7 +5,7 @@
 // 2D scans.
 
 using namespace mrpt_mapconv;
-using namespace mrpt_mapconv::maps::fixtures;
+using namespace mrpt_mapconv::fixtures;
 using mrpt::poses::CPose3D;
 
 TEST(CScanShapeGridMap2D, ScansIn2DAreInsertedAsMrptsOwnGridDoes)

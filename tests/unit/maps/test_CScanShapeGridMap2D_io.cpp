@@ -9,7 +9,7 @@
 #include "ScanShapeFixtures.h"
 
 using namespace mrpt_mapconv;
-using namespace mrpt_mapconv::maps::fixtures;
+using namespace mrpt_mapconv::fixtures;
 using mrpt::maps::CMultiMetricMap;
 using mrpt::maps::TSetOfMetricMapInitializers;
 using mrpt::poses::CPose3D;

@@ -6,7 +6,7 @@
 // Scans that are not inserted: what is said, and that the map stays exactly as it was.
 
 using namespace mrpt_mapconv;
-using namespace mrpt_mapconv::maps::fixtures;
+using namespace mrpt_mapconv::fixtures;
 using mrpt::poses::CPose3D;
 
 namespace

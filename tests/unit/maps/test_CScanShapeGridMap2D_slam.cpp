@@ -2,13 +2,13 @@
 
 #include <memory>
 
-#include "CountAllocations.h"
 #include "ScanShapeFixtures.h"
+#include "support/CountAllocations.h"
 
 // What SLAM programs ask of the map: cheap insertions, independent copies, likelihoods, matching.
 
 using namespace mrpt_mapconv;
-using namespace mrpt_mapconv::maps::fixtures;
+using namespace mrpt_mapconv::fixtures;
 using mrpt::poses::CPose2D;
 using mrpt::poses::CPose3D;
 

@@ -5,6 +5,7 @@
 #include <mrpt/maps/CSimplePointsMap.h>
 #include <mrpt_mapconv/maps/CFreeSpaceGridMap2D.h>
 #include <mrpt_mapconv/maps/OctoMapAccess.h>
+#include <mrpt_mapconv/voxel/OcTreeCopy.h>
 #include <octomap/ColorOcTree.h>
 #include <octomap/OcTree.h>
 #include <octomap/OcTreeStamped.h>
@@ -49,7 +50,7 @@ TEST(OctoMapAccess, FindsTheFirstTreeInAnObject)
 template <class Tree>
 void expectSameLeaves(const Tree& tree)
 {
-  const auto copy = maps::toOcTree(tree);
+  const auto copy = voxel::toOcTree(tree);
   EXPECT_EQ(copy->getResolution(), tree.getResolution());
   EXPECT_EQ(copy->getNumLeafNodes(), tree.getNumLeafNodes());
   EXPECT_EQ(copy->size(), tree.size());

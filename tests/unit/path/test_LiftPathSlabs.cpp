@@ -5,8 +5,8 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "../freespace/HandMap.h"
 #include "FlatLayers.h"
+#include "support/HandMap.h"
 
 namespace
 {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "../freespace/HandMap.h"
+#include "support/HandMap.h"
 
 namespace
 {

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "HandScan.h"
-#include "ThrownMessage.h"
+#include "support/ThrownMessage.h"
 
 namespace
 {

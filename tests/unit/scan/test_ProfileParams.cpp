@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "ThrownMessage.h"
+#include "support/ThrownMessage.h"
 
 namespace
 {

@@ -4,7 +4,7 @@
 #include <stdexcept>
 
 #include "HandScan.h"
-#include "ThrownMessage.h"
+#include "support/ThrownMessage.h"
 
 namespace
 {

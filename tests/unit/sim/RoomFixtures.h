@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "unit/grid/TempDir.h"
+#include "support/TempDir.h"
 
 /** An empty room whose walls, floor and roof are known in closed form. */
 namespace mrpt_mapconv::sim::fixtures

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 #include <mrpt/config/CConfigFileMemory.h>
+#include <mrpt_mapconv/files/OutputDir.h>
 #include <mrpt_mapconv/grid/GeoTiff.h>
-#include <mrpt_mapconv/grid/OutputDir.h>
-#include <mrpt_mapconv/maps/IniText.h>
+#include <mrpt_mapconv/params/IniText.h>
 #include <mrpt_mapconv/sim/Scenario.h>
 #include <mrpt_mapconv/sim/SimulationFiles.h>
 
@@ -10,7 +10,7 @@
 #include <cmath>
 #include <set>
 
-#include "unit/grid/TempDir.h"
+#include "support/TempDir.h"
 
 // The example that users copy from holds everything that there is, and so does its document.
 namespace
@@ -31,7 +31,7 @@ struct Kinds
 
 Kinds kindsIn(const std::string& file)
 {
-  const mrpt::config::CConfigFileMemory ini(maps::readIniText(file));
+  const mrpt::config::CConfigFileMemory ini(params::readIniText(file));
   std::vector<std::string> sections;
   ini.getAllSections(sections);
   Kinds kinds;
@@ -69,7 +69,7 @@ TEST(ExampleWorld, ItsDocumentNamesEveryKindAndKey)
     EXPECT_TRUE(contains(document, "### [" + kind + ".NAME]")) << kind;
   for (const auto& kind : sim::sensorKinds())
     EXPECT_TRUE(contains(document, "`kind = " + kind + "`")) << kind;
-  const mrpt::config::CConfigFileMemory ini(maps::readIniText(kExample));
+  const mrpt::config::CConfigFileMemory ini(params::readIniText(kExample));
   std::vector<std::string> sections, keys;
   ini.getAllSections(sections);
   for (const auto& section : sections)
@@ -83,7 +83,7 @@ TEST(ExampleWorld, IsSimulated)
 {
   const auto scenario = sim::Scenario::load(kExample);
   const TempDir dir;
-  grid::OutputDir out(dir.path("out"));
+  files::OutputDir out(dir.path("out"));
   const auto summary = sim::simulateTo(out, scenario, 1);
   out.commit();
   EXPECT_GT(summary.returns3D, 50000u);

@@ -1,11 +1,11 @@
 // From a simulated exploration to paths in 3D: none touches the world that was explored.
 #include <gtest/gtest.h>
 #include <mrpt_mapconv/freespace/Conversion.h>
-#include <mrpt_mapconv/maps/ObservationPoints.h>
-#include <mrpt_mapconv/maps/VoxelInsertion.h>
+#include <mrpt_mapconv/observation/ObservationPoints.h>
 #include <mrpt_mapconv/planning/RobotPath.h>
 #include <mrpt_mapconv/sim/Simulator.h>
 #include <mrpt_mapconv/voxel/OctreeSource.h>
+#include <mrpt_mapconv/voxel/VoxelInsertion.h>
 #include <octomap/octomap.h>
 
 #include <cmath>
@@ -71,8 +71,8 @@ octomap::OcTree explored(const sim::Scenario& scenario)
   sim::Simulator simulator(scenario, 1);
   while (const auto moment = simulator.next())
     for (const sim::Scan& scan : moment->scans)
-      if (const auto points = maps::sensorPoints(*scan.observation, moment->pose))
-        maps::insertScan(tree, *points, {});
+      if (const auto points = observation::sensorPoints(*scan.observation, moment->pose))
+        voxel::insertScan(tree, *points, {});
   return tree;
 }
 

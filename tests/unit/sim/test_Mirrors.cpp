@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 #include <mrpt/config/CConfigFileMemory.h>
 #include <mrpt/core/bits_math.h>
-#include <mrpt_mapconv/maps/ObservationPoints.h>
+#include <mrpt_mapconv/observation/ObservationPoints.h>
 #include <mrpt_mapconv/sim/Sensors.h>
 
 #include <cmath>
@@ -36,7 +36,7 @@ std::unique_ptr<sim::Sensor> sensorOf(const std::string& text)
   const mrpt::config::CConfigFileMemory ini(text);
   std::vector<std::string> sections;
   ini.getAllSections(sections);
-  maps::StrictSection section(ini, sections.at(0));
+  params::StrictSection section(ini, sections.at(0));
   return sim::readSensor(section);
 }
 
@@ -53,7 +53,7 @@ Seen seenIn(const World& world, const std::string& sensor, const CPose3D& robot,
 {
   const RayCaster caster(world);
   Seen seen{sensorOf(sensor)->scan(caster, robot, key), {}, {}};
-  const auto sensed = maps::sensorPoints(*seen.scan.observation, robot);
+  const auto sensed = observation::sensorPoints(*seen.scan.observation, robot);
   if (sensed)
     for (const auto& p : sensed->points)
       seen.points.push_back(sensed->sensorPose.composePoint(TPoint3D(p)));

@@ -1,8 +1,8 @@
 #include <gtest/gtest.h>
 #include <mrpt/config/CConfigFileMemory.h>
 #include <mrpt/obs/CObservation2DRangeScan.h>
-#include <mrpt_mapconv/maps/IniText.h>
-#include <mrpt_mapconv/sim/MapScore.h>
+#include <mrpt_mapconv/eval/MapScore.h>
+#include <mrpt_mapconv/params/IniText.h>
 #include <mrpt_mapconv/sim/Scenario.h>
 
 #include <algorithm>
@@ -160,7 +160,7 @@ TEST(Office, HalfOfItsDoorsHaveALintel)
 
 TEST(Office, ItsCommentsNameEachDoor)
 {
-  const std::string text = maps::readIniText(kOffice);
+  const std::string text = params::readIniText(kOffice);
   const std::regex line("# door ([0-9]+): .*(with a lintel|open up to the ceiling)");
   std::size_t doors = 0;
   for (std::sregex_iterator it(text.begin(), text.end(), line), end; it != end; ++it, ++doors)
@@ -219,7 +219,7 @@ TEST(Office, EveryRoomButTheAtriumIsReachedFromTheStart)
 {
   const auto start = office().trajectory.poseAt(0).translation();
   const auto truth = obstacles();
-  const CellMask reached = cellsToLabel(truth, start.x, start.y);
+  const eval::CellMask reached = eval::cellsToLabel(truth, start.x, start.y);
   const auto isReached = [&](const Place& place)
   {
     const auto& frame = reached.frame();
@@ -294,7 +294,7 @@ Scan scanOf(const Look& look)
   const mrpt::config::CConfigFileMemory ini(
       "[sensor.eye]\nkind = scanner2D\nrate = 1\nmaxRange = 100\nminRange = 0.01\nrays = " +
       std::to_string(kRays) + "\nfieldOfView = " + std::to_string(look.angle));
-  maps::StrictSection section(ini, "sensor.eye");
+  params::StrictSection section(ini, "sensor.eye");
   const RayCaster caster(office().world);
   const mrpt::poses::CPose3D pose(look.eye.x, look.eye.y, look.eye.z, look.yaw * kDegree, 0, 0);
   return readSensor(section)->scan(caster, pose, kSeed);

@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 #include <mrpt/obs/CObservationPointCloud.h>
-#include <mrpt_mapconv/maps/ObservationPoints.h>
-#include <mrpt_mapconv/maps/ScanLog.h>
+#include <mrpt_mapconv/observation/ObservationPoints.h>
+#include <mrpt_mapconv/observation/ScanLog.h>
 #include <mrpt_mapconv/sim/SimulationFiles.h>
 
 #include <cmath>
@@ -192,16 +192,16 @@ TEST(People, AreInTheFilesOfASimulation)
 {
   const auto scenario = load(kRoom + kAnna + kLookout);
   const TempDir dir;
-  grid::OutputDir out(dir.path());
+  files::OutputDir out(dir.path());
   sim::simulateTo(out, scenario, 1);
   out.commit();
-  const auto scans = maps::readRawlog(dir.path("scans.rawlog"));
+  const auto scans = observation::readRawlog(dir.path("scans.rawlog"));
   ASSERT_EQ(scans.size(), 17u);
   const double start = mrpt::Clock::toDouble(scans[0].observation->timestamp);
   for (const auto& scan : scans)
   {
     const double seconds = mrpt::Clock::toDouble(scan.observation->timestamp) - start;
-    const auto seen = maps::sensorPoints(*scan.observation, scan.robotPose);
+    const auto seen = observation::sensorPoints(*scan.observation, scan.robotPose);
     ASSERT_EQ(seen->points.size(), 4u);
     EXPECT_NEAR(seen->points[0].x, annaAt(seconds) - 0.2, 1e-5) << seconds;
   }
@@ -226,7 +226,7 @@ TEST(People, AreSeenThroughGlassAndInMirrors)
       EXPECT_NEAR(scan.truePoints[i].x, x, 1e-4) << moment->seconds << " s, ray " << i;
       EXPECT_EQ(scan.mirrored[i], i == 0 ? 1 : 0);
     }
-    const auto seen = maps::sensorPoints(*scan.observation, moment->pose);
+    const auto seen = observation::sensorPoints(*scan.observation, moment->pose);
     EXPECT_NEAR(seen->points[0].x, 8 - x, 1e-4) << "4 m there, and back to anna";
   }
 }
@@ -239,7 +239,7 @@ TEST(People, AreTheSameForTheSameSeed)
                              kLidar + "rangeNoise = 0.01\ndropout = 0.05\n" + kDrive);
   const auto simulate = [&](const TempDir& dir, std::uint64_t seed)
   {
-    grid::OutputDir out(dir.path());
+    files::OutputDir out(dir.path());
     sim::simulateTo(out, scenario, seed);
     out.commit();
     return readBytes(dir.path("scans.rawlog"));

@@ -1,10 +1,10 @@
 #include <gtest/gtest.h>
 #include <mrpt/core/bits_math.h>
+#include <mrpt_mapconv/eval/MapScore.h>
 #include <mrpt_mapconv/grid/CellKey.h>
 #include <mrpt_mapconv/grid/OccupancyCell.h>
-#include <mrpt_mapconv/maps/ObservationPoints.h>
+#include <mrpt_mapconv/observation/ObservationPoints.h>
 #include <mrpt_mapconv/scan/LogOddsUpdate.h>
-#include <mrpt_mapconv/sim/MapScore.h>
 #include <mrpt_mapconv/sim/RayCaster.h>
 #include <mrpt_mapconv/sim/Scenario.h>
 #include <mrpt_mapconv/sim/Truth.h>
@@ -29,7 +29,7 @@ constexpr double kObstacleMin = 0.05, kObstacleMax = 1.5;  // heights that the r
 struct OfficeScan
 {
   CPose3D robot;
-  maps::SensorPoints seen;
+  observation::SensorPoints seen;
   std::vector<std::uint8_t> mirrored;
 };
 
@@ -49,7 +49,7 @@ class Office
       caster.moveTo(time);
       const auto pose = scenario.trajectory.poseAt(time);
       const Scan scan = lidar.scan(caster, pose, static_cast<std::uint64_t>(i));
-      scans.push_back({pose, *maps::sensorPoints(*scan.observation, pose), scan.mirrored});
+      scans.push_back({pose, *observation::sensorPoints(*scan.observation, pose), scan.mirrored});
     }
   }
 
@@ -166,15 +166,15 @@ double fScoreAt(double turn)
   const auto frame = wholeFrame();
   const auto truth = truthOf(frame, turn);
   const auto start = CPose3D(0, 0, 0, turn, 0, 0) + office().scans.front().robot;
-  const auto should = cellsToLabel(truth, start.x(), start.y());
-  return scoreLabels(mapOf(frame, true, turn), truth, should).fScore();
+  const auto should = eval::cellsToLabel(truth, start.x(), start.y());
+  return eval::scoreLabels(mapOf(frame, true, turn), truth, should).fScore();
 }
 
 /** Cells that only mirrored returns of the object slice fall into. */
-CellMask ghostCells(const grid::GridFrame& frame)
+eval::CellMask ghostCells(const grid::GridFrame& frame)
 {
   constexpr std::uint8_t kGhost = 1, kReal = 2;
-  CellMask seen(frame, 0);
+  eval::CellMask seen(frame, 0);
   for (const auto& scan : office().scans)
     for (std::size_t i = 0; i < scan.seen.points.size(); ++i)
     {
@@ -189,7 +189,7 @@ CellMask ghostCells(const grid::GridFrame& frame)
   return seen;
 }
 
-std::size_t occupiedOf(const grid::Layer<float>& map, const CellMask& cells)
+std::size_t occupiedOf(const grid::Layer<float>& map, const eval::CellMask& cells)
 {
   std::size_t count = 0;
   for (std::size_t i = 0; i < map.cells().size(); ++i)

@@ -5,7 +5,7 @@
 #include <mrpt/obs/CObservation3DRangeScan.h>
 #include <mrpt/obs/CObservationPointCloud.h>
 #include <mrpt/serialization/CSerializable.h>
-#include <mrpt_mapconv/maps/ObservationPoints.h>
+#include <mrpt_mapconv/observation/ObservationPoints.h>
 #include <mrpt_mapconv/sim/Sensors.h>
 
 #include <map>
@@ -18,7 +18,7 @@ using mrpt::config::CConfigFileMemory;
 using mrpt::math::TPoint3D;
 using mrpt::math::TPoint3Df;
 using mrpt::poses::CPose3D;
-using mrpt_mapconv::maps::StrictSection;
+using mrpt_mapconv::params::StrictSection;
 using mrpt_mapconv::sim::RayCaster;
 using mrpt_mapconv::sim::Scan;
 using mrpt_mapconv::sim::Sensor;
@@ -43,7 +43,7 @@ const CPose3D kRobot(1, -1.5, 0.1, DEG2RAD(37.0), DEG2RAD(4.0), DEG2RAD(-6.0));
 
 std::vector<TPoint3D> pointsInMap(const Scan& scan, const CPose3D& robot)
 {
-  const auto seen = mrpt_mapconv::maps::sensorPoints(*scan.observation, robot);
+  const auto seen = mrpt_mapconv::observation::sensorPoints(*scan.observation, robot);
   std::vector<TPoint3D> points;
   for (const auto& p : seen->points) points.push_back(seen->sensorPose.composePoint(TPoint3D(p)));
   return points;

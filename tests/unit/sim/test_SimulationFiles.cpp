@@ -8,11 +8,11 @@
 #include <mrpt/obs/CObservationRobotPose.h>
 #include <mrpt/obs/CSensoryFrame.h>
 #include <mrpt/serialization/CSerializable.h>
+#include <mrpt_mapconv/files/ObjectFile.h>
 #include <mrpt_mapconv/grid/GeoTiff.h>
 #include <mrpt_mapconv/grid/LayerPicture.h>
-#include <mrpt_mapconv/maps/ObjectFile.h>
-#include <mrpt_mapconv/maps/ObservationPoints.h>
-#include <mrpt_mapconv/maps/ScanLog.h>
+#include <mrpt_mapconv/observation/ObservationPoints.h>
+#include <mrpt_mapconv/observation/ScanLog.h>
 #include <mrpt_mapconv/sim/SimulationFiles.h>
 
 #include <numeric>
@@ -21,8 +21,8 @@
 #include "RoomFixtures.h"
 
 using namespace mrpt_mapconv::sim::fixtures;
-using mrpt_mapconv::grid::OutputDir;
-using mrpt_mapconv::maps::ObjectFile;
+using mrpt_mapconv::files::ObjectFile;
+using mrpt_mapconv::files::OutputDir;
 using mrpt_mapconv::sim::Scenario;
 using mrpt_mapconv::sim::SimulationSummary;
 using mrpt_mapconv::testing::contains;
@@ -52,12 +52,12 @@ SimulationSummary simulate(const std::string& text, std::uint64_t seed, const Te
 }
 
 /** The farthest that a point of these scans is from the room's surface. */
-double farthestOff(const std::vector<mrpt_mapconv::maps::PosedObservation>& scans)
+double farthestOff(const std::vector<mrpt_mapconv::observation::PosedObservation>& scans)
 {
   double farthest = 0;
   for (const auto& scan : scans)
   {
-    const auto seen = mrpt_mapconv::maps::sensorPoints(*scan.observation, scan.robotPose);
+    const auto seen = mrpt_mapconv::observation::sensorPoints(*scan.observation, scan.robotPose);
     for (const auto& p : seen->points)
       farthest =
           std::max(farthest, offRoom(seen->sensorPose.composePoint(mrpt::math::TPoint3D(p))));
@@ -118,13 +118,13 @@ TEST(SimulationFiles, ReadBackTheyShowTheRoom)
   EXPECT_EQ(countOf<mrpt::obs::CActionCollection>(dir.path("frames.rawlog")), 101u);
   EXPECT_EQ(countOf<mrpt::obs::CSensoryFrame>(dir.path("frames.rawlog")), 101u);
 
-  const auto scans = mrpt_mapconv::maps::readRawlog(dir.path("scans.rawlog"));
+  const auto scans = mrpt_mapconv::observation::readRawlog(dir.path("scans.rawlog"));
   EXPECT_EQ(scans.size(), 133u);
   EXPECT_LT(farthestOff(scans), 2e-4);
-  const auto frames = mrpt_mapconv::maps::readRawlog(dir.path("frames.rawlog"));
+  const auto frames = mrpt_mapconv::observation::readRawlog(dir.path("frames.rawlog"));
   EXPECT_EQ(frames.size(), 133u);
   EXPECT_LT(farthestOff(frames), 2e-4);
-  const auto keyFrames = mrpt_mapconv::maps::readSimpleMap(dir.path("scans.simplemap"));
+  const auto keyFrames = mrpt_mapconv::observation::readSimpleMap(dir.path("scans.simplemap"));
   EXPECT_EQ(keyFrames.size(), 21u + 21u + 11u);  // front is due whenever lidar or camera is
   EXPECT_LT(farthestOff(keyFrames), 2e-4);
 }
@@ -136,7 +136,7 @@ TEST(SimulationFiles, PosesAreLoggedWhereAskedFor)
       "[trajectory]\nposes = [0 0 0 0.5 0 0 0] [4 1 1 1 40 10 5]\n[log]\nposes = true\n";
   simulate(kRoom + kLidar + spatial, 1, dir);
   EXPECT_EQ(countOf<mrpt::obs::CObservationRobotPose>(dir.path("scans.rawlog")), 9u);
-  const auto scans = mrpt_mapconv::maps::readRawlog(dir.path("scans.rawlog"));
+  const auto scans = mrpt_mapconv::observation::readRawlog(dir.path("scans.rawlog"));
   EXPECT_EQ(scans.size(), 9u);
   EXPECT_LT(farthestOff(scans), 2e-4);
 }

@@ -7,7 +7,7 @@
 
 using mrpt::DEG2RAD;
 using mrpt::config::CConfigFileMemory;
-using mrpt_mapconv::maps::StrictSection;
+using mrpt_mapconv::params::StrictSection;
 using mrpt_mapconv::sim::Trajectory;
 using mrpt_mapconv::sim::World;
 using mrpt_mapconv::testing::contains;

@@ -13,7 +13,7 @@
 #include <random>
 #include <sstream>
 
-#include "unit/grid/TempDir.h"
+#include "support/TempDir.h"
 
 namespace
 {

@@ -23,7 +23,7 @@ using Metadata = std::map<std::string, std::string>;
  * North is up (the first raster row is the highest y), the geotransform is exactly
  * {xMin, resolution, 0, yMax, 0, −resolution} in metres, NaN means no data. There is no
  * projection: the map frame is a local one. An error can leave an unfinished file behind; write
- * into OutputDir::path().
+ * into files::OutputDir::path().
  *
  * \param bands at least one; all on the same frame, which must not be empty
  * \param metadata kept in the file, for readGeoTiffMetadata() and `gdalinfo`

@@ -3,9 +3,9 @@
 #include <mrpt/maps/COccupancyGridMap2D.h>
 #include <mrpt/system/COutputLogger.h>
 #include <mrpt_mapconv/freespace/Conversion.h>
-#include <mrpt_mapconv/maps/ConversionOptions.h>
-#include <mrpt_mapconv/maps/LayerScene.h>
-#include <mrpt_mapconv/maps/VoxelInsertion.h>
+#include <mrpt_mapconv/freespace/ConversionOptions.h>
+#include <mrpt_mapconv/freespace/LayerScene.h>
+#include <mrpt_mapconv/voxel/VoxelInsertion.h>
 
 #include <memory>
 #include <mutex>
@@ -35,7 +35,7 @@ namespace mrpt_mapconv
  * cannot be hooked (it is private in the base class): a grid that setSize() has erased is used as
  * it is for likelihoods until then.
  *
- * Observations: see maps::sensorPoints(). Others are ignored.
+ * Observations: see observation::sensorPoints(). Others are ignored.
  *
  * In an ini file, with any prefix that MRPT gives:
  * \code
@@ -44,9 +44,9 @@ namespace mrpt_mapconv
  * [map_freeSpaceGrid_00_creationOpts]
  * resolution = 0.10            // [m] size of voxels and cells
  * [map_freeSpaceGrid_00_insertOpts]
- * maxrange = 20                // see maps::TVoxelInsertionOptions
+ * maxrange = 20                // see voxel::TVoxelInsertionOptions
  * [map_freeSpaceGrid_00_conversionOpts]
- * robot = ground               // see maps::TConversionOptions
+ * robot = ground               // see freespace::TConversionOptions
  * [map_freeSpaceGrid_00_likelihoodOpts]
  * likelihoodMethod = lmLikelihoodField_Thrun   // see COccupancyGridMap2D::TLikelihoodOptions
  * \endcode
@@ -64,14 +64,14 @@ class CFreeSpaceGridMap2D : public mrpt::maps::COccupancyGridMap2D
   CFreeSpaceGridMap2D& operator=(const CFreeSpaceGridMap2D& o);
 
   /** How scans go into the voxel map. Takes effect with the next insertion. */
-  maps::TVoxelInsertionOptions voxelInsertionOptions;
+  voxel::TVoxelInsertionOptions voxelInsertionOptions;
   /** What getVisualizationInto() shows beside the occupancy grid. */
-  maps::TLayerSceneOptions renderingOptions;
+  freespace::TLayerSceneOptions renderingOptions;
 
-  const maps::TConversionOptions& conversionOptions() const { return m_conversion; }
+  const freespace::TConversionOptions& conversionOptions() const { return m_conversion; }
   /** Sets the conversion's options and converts anew.
    * \exception std::invalid_argument for bad ones; the map then stays as it was */
-  void setConversionOptions(const maps::TConversionOptions& options);
+  void setConversionOptions(const freespace::TConversionOptions& options);
 
   /** The voxel map. */
   const octomap::OcTree& octree() const { return *m_octree; }
@@ -139,8 +139,8 @@ class CFreeSpaceGridMap2D : public mrpt::maps::COccupancyGridMap2D
   void readOctree(mrpt::serialization::CArchive& in);
 
   mrpt::system::COutputLogger m_log;
-  maps::PointWarnings m_warnings;
-  maps::TConversionOptions m_conversion;
+  observation::SayOnceLog m_warnings;
+  freespace::TConversionOptions m_conversion;
   std::unique_ptr<octomap::OcTree> m_octree;
   freespace::IncrementalLayers m_layers;
   voxel::ColumnSet m_pending;  //!< changed in the octree, but not yet in the layers
@@ -151,8 +151,8 @@ class CFreeSpaceGridMap2D : public mrpt::maps::COccupancyGridMap2D
 
   MAP_DEFINITION_START(CFreeSpaceGridMap2D)
   double resolution = 0.10;  //!< size of voxels and cells [m]
-  mrpt_mapconv::maps::TVoxelInsertionOptions insertionOpts;
-  mrpt_mapconv::maps::TConversionOptions conversionOpts;
+  mrpt_mapconv::voxel::TVoxelInsertionOptions insertionOpts;
+  mrpt_mapconv::freespace::TConversionOptions conversionOpts;
   mrpt::maps::COccupancyGridMap2D::TLikelihoodOptions likelihoodOpts;
   MAP_DEFINITION_END(CFreeSpaceGridMap2D)
 };

@@ -3,8 +3,8 @@
 #include <mrpt/maps/COccupancyGridMap2D.h>
 #include <mrpt/system/COutputLogger.h>
 #include <mrpt_mapconv/grid/Layer.h>
-#include <mrpt_mapconv/maps/PointWarnings.h>
-#include <mrpt_mapconv/maps/ScanInsertionOptions.h>
+#include <mrpt_mapconv/observation/SayOnceLog.h>
+#include <mrpt_mapconv/scan/ScanInsertionOptions.h>
 #include <mrpt_mapconv/scan/ScanProfile.h>
 
 #include <memory>
@@ -26,14 +26,14 @@ namespace mrpt_mapconv
  * grows as needed, by some more than that. Whoever changes its size or contents through the base
  * class is followed: what is there is what the next scan is inserted into.
  *
- * Observations: see maps::sensorPoints(); 2D scans are inserted as COccupancyGridMap2D does, with
- * its own insertionOptions, but rays that are not finite, or negative, count as invalid. Others are
- * ignored. A scan that says nothing, or nothing reliable (no point or valid ray, no object, a pose
- * that is not finite, see also scan::UnusableScan), is skipped with a warning, once for each reason
- * and sensor; see lastSkip(). Bad options and a grid that would become too large, or lie too far
- * away, are exceptions of insertObservation(). All of these leave the map exactly as it was. So do
- * likelihoods: lmMeanInformation, for which MRPT's grid inserts the scan and counts none of its
- * rays, is as little of use here, but inserts nothing.
+ * Observations: see observation::sensorPoints(); 2D scans are inserted as COccupancyGridMap2D does,
+ * with its own insertionOptions, but rays that are not finite, or negative, count as invalid.
+ * Others are ignored. A scan that says nothing, or nothing reliable (no point or valid ray, no
+ * object, a pose that is not finite, see also scan::UnusableScan), is skipped with a warning, once
+ * for each reason and sensor; see lastSkip(). Bad options and a grid that would become too large,
+ * or lie too far away, are exceptions of insertObservation(). All of these leave the map exactly as
+ * it was. So do likelihoods: lmMeanInformation, for which MRPT's grid inserts the scan and counts
+ * none of its rays, is as little of use here, but inserts nothing.
  *
  * In an ini file, with any prefix that MRPT gives:
  * \code
@@ -43,7 +43,7 @@ namespace mrpt_mapconv
  * resolution = 0.05            // [m] size of a cell
  * maxGridCells = 4e8           // a scan that would make the grid larger is refused
  * [map_scanShapeGrid_00_insertOpts]
- * structureMinZ = 2.3          // see maps::TScanInsertionOptions; and for 2D scans
+ * structureMinZ = 2.3          // see scan::TScanInsertionOptions; and for 2D scans
  * structureMaxZ = 2.6          // COccupancyGridMap2D::TInsertionOptions
  * [map_scanShapeGrid_00_likelihoodOpts]
  * likelihoodMethod = lmLikelihoodField_Thrun   // see COccupancyGridMap2D::TLikelihoodOptions
@@ -66,7 +66,7 @@ class CScanShapeGridMap2D : public mrpt::maps::COccupancyGridMap2D
   CScanShapeGridMap2D& operator=(const CScanShapeGridMap2D& o);
 
   /** How 3D scans are inserted. Takes effect with the next insertion. */
-  maps::TScanInsertionOptions scanInsertionOptions;
+  scan::TScanInsertionOptions scanInsertionOptions;
   /** A scan that would make the grid larger than this is refused by an exception. MRPT itself
    * counts up to 2^32 − 1. */
   double maxGridCells = 4e8;
@@ -117,7 +117,7 @@ class CScanShapeGridMap2D : public mrpt::maps::COccupancyGridMap2D
   void layOut(const grid::GridFrame& frame);
 
   mrpt::system::COutputLogger m_log;
-  maps::PointWarnings m_warnings;
+  observation::SayOnceLog m_warnings;
   double m_cellSize;  //!< the resolution, which the base class rounds to a float [m]
   scan::ProfileStatistics m_lastScan;
   std::string m_lastSkip;
@@ -126,10 +126,10 @@ class CScanShapeGridMap2D : public mrpt::maps::COccupancyGridMap2D
   MAP_DEFINITION_START(CScanShapeGridMap2D)
   double resolution = 0.05;  //!< size of a cell [m]
   double maxGridCells = 4e8;
-  mrpt_mapconv::maps::TScanInsertionOptions scanInsertionOpts;
+  mrpt_mapconv::scan::TScanInsertionOptions scanInsertionOpts;
   mrpt::maps::COccupancyGridMap2D::TInsertionOptions insertionOpts;
   mrpt::maps::COccupancyGridMap2D::TLikelihoodOptions likelihoodOpts;
-  mrpt_mapconv::maps::PointWarnings said;  //!< by all maps made of it, e.g. one per particle
+  mrpt_mapconv::observation::SayOnceLog said;  //!< by all maps made of it, e.g. one per particle
   MAP_DEFINITION_END(CScanShapeGridMap2D)
 };
 

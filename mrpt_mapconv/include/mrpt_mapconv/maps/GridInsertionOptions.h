@@ -1,7 +1,7 @@
 #pragma once
 
 #include <mrpt/maps/COccupancyGridMap2D.h>
-#include <mrpt_mapconv/maps/StrictSection.h>
+#include <mrpt_mapconv/params/StrictSection.h>
 
 namespace mrpt_mapconv::maps
 {
@@ -9,7 +9,7 @@ namespace mrpt_mapconv::maps
  * in degrees), but strictly. Does not warn of other keys: they may be someone else's.
  * \exception std::runtime_error naming section, key and value; the options then stay as they were
  */
-void readGridInsertionOptions(StrictSection& ini,
+void readGridInsertionOptions(params::StrictSection& ini,
                               mrpt::maps::COccupancyGridMap2D::TInsertionOptions& options);
 
 }  // namespace mrpt_mapconv::maps

@@ -2,8 +2,6 @@
 
 #include <mrpt/serialization/CSerializable.h>
 
-#include <memory>
-
 namespace mrpt::maps
 {
 class COctoMap;
@@ -27,9 +25,5 @@ const octomap::ColorOcTree& octreeOf(const mrpt::maps::CColouredOctoMap& map);
  * CMultiMetricMap that holds one of these (the first counts). Null if there is none. Valid as long
  * as the object. */
 const octomap::AbstractOcTree* octreeIn(const mrpt::serialization::CSerializable& object);
-
-/** A plain occupancy tree with the same leaves and log-odds as a tree of any occupancy type.
- * \exception std::invalid_argument for a tree that holds no occupancy */
-std::unique_ptr<octomap::OcTree> toOcTree(const octomap::AbstractOcTree& tree);
 
 }  // namespace mrpt_mapconv::maps

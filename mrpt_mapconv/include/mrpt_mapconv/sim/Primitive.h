@@ -1,7 +1,7 @@
 #pragma once
 
 #include <mrpt/math/TPoint3D.h>
-#include <mrpt_mapconv/maps/StrictSection.h>
+#include <mrpt_mapconv/params/StrictSection.h>
 
 #include <array>
 #include <cstdint>
@@ -97,7 +97,7 @@ class Primitive
  */
 struct PrimitiveKind
 {
-  using Reader = std::unique_ptr<Primitive> (*)(maps::StrictSection& section);
+  using Reader = std::unique_ptr<Primitive> (*)(params::StrictSection& section);
   PrimitiveKind(const char* kind, Reader read);
 
   /** Names of all kinds, in alphabetical order. */

@@ -3,7 +3,7 @@
 #include <mrpt/math/TPoint3D.h>
 #include <mrpt/obs/CObservation.h>
 #include <mrpt/poses/CPose3D.h>
-#include <mrpt_mapconv/maps/StrictSection.h>
+#include <mrpt_mapconv/params/StrictSection.h>
 #include <mrpt_mapconv/sim/RayCaster.h>
 
 #include <cstdint>
@@ -93,7 +93,7 @@ class Sensor
  *
  * \exception std::runtime_error in one line naming section, key and value, and what would be right;
  * also for a key that this kind does not have */
-std::unique_ptr<Sensor> readSensor(maps::StrictSection& section);
+std::unique_ptr<Sensor> readSensor(params::StrictSection& section);
 
 /** What `kind` may be. */
 std::vector<std::string> sensorKinds();

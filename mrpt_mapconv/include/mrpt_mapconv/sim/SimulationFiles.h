@@ -1,7 +1,7 @@
 #pragma once
 
+#include <mrpt_mapconv/files/OutputDir.h>
 #include <mrpt_mapconv/grid/Layer.h>
-#include <mrpt_mapconv/grid/OutputDir.h>
 #include <mrpt_mapconv/sim/Scenario.h>
 #include <mrpt_mapconv/sim/Simulator.h>
 
@@ -37,7 +37,7 @@ void countReturns(const Moment& moment, grid::Layer<float>& inView);
  *
  * \param progress told the share that is done, 0 … 1; may be empty
  * \exception std::runtime_error naming the file and the reason if one cannot be written */
-SimulationSummary simulateTo(grid::OutputDir& out, const Scenario& scenario, std::uint64_t seed,
+SimulationSummary simulateTo(files::OutputDir& out, const Scenario& scenario, std::uint64_t seed,
                              const std::function<void(double)>& progress = {});
 
 }  // namespace mrpt_mapconv::sim

@@ -2,7 +2,7 @@
 
 #include <mrpt/math/TPoint3D.h>
 #include <mrpt/poses/CPose3D.h>
-#include <mrpt_mapconv/maps/StrictSection.h>
+#include <mrpt_mapconv/params/StrictSection.h>
 #include <mrpt_mapconv/sim/World.h>
 
 #include <string>
@@ -51,7 +51,7 @@ class Trajectory
    *
    * \exception std::runtime_error in one line naming section, key and value (of way-points and
    * poses the number), and what would be right */
-  static Trajectory read(maps::StrictSection& section, const World& world);
+  static Trajectory read(params::StrictSection& section, const World& world);
 
   /** Along way-points; none may lie where the one before it does (looked at from above, with
    * followGround). \exception std::invalid_argument naming the way-point's number and place */

@@ -47,4 +47,8 @@ class ColumnSet
   Blocks m_blocks;
 };
 
+/** The columns of one block within Chebyshev distance `radius` of a column in `set`: what
+ * ColumnSet::dilated() holds of that block, for who needs it block by block. */
+ColumnMask columnsNear(const ColumnSet::Blocks& set, BlockKey block, std::int32_t radius);
+
 }  // namespace mrpt_mapconv::voxel

@@ -14,7 +14,7 @@ class Box : public Primitive
  public:
   Box(const Block& block, double mirror) : m_block(block), m_mirror(mirror) {}
 
-  static std::unique_ptr<Primitive> read(maps::StrictSection& section)
+  static std::unique_ptr<Primitive> read(params::StrictSection& section)
   {
     const Corners corners = readCorners(section);
     double yaw = 0;

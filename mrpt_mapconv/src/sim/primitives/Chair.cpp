@@ -11,7 +11,8 @@ namespace
 class Chair : public Furniture
 {
  public:
-  explicit Chair(maps::StrictSection& section) : Furniture(section, readPoint2D(section, "centre"))
+  explicit Chair(params::StrictSection& section)
+      : Furniture(section, readPoint2D(section, "centre"))
   {
     const double size = readPositive(section, "size", 0.44);
     const double seat = readPositive(section, "seat", 0.45);
@@ -27,7 +28,7 @@ class Chair : public Furniture
     add({{-half, -half, seat}, {kBack - half, half, height}});
   }
 
-  static std::unique_ptr<Primitive> read(maps::StrictSection& section)
+  static std::unique_ptr<Primitive> read(params::StrictSection& section)
   {
     return std::make_unique<Chair>(section);
   }

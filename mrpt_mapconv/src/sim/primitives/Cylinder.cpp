@@ -11,7 +11,7 @@ class Cylinder : public Primitive
  public:
   explicit Cylinder(const UprightCylinder& body) : m_body(body) {}
 
-  static std::unique_ptr<Primitive> read(maps::StrictSection& section)
+  static std::unique_ptr<Primitive> read(params::StrictSection& section)
   {
     const auto base = readPoint3D(section, "base");
     const double radius = readPositive(section, "radius");

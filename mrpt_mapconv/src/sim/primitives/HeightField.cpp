@@ -148,7 +148,7 @@ class HeightField : public Primitive
                         : *std::min_element(heights.begin(), heights.end()) - depth;
   }
 
-  static std::unique_ptr<Primitive> read(maps::StrictSection& section)
+  static std::unique_ptr<Primitive> read(params::StrictSection& section)
   {
     Lattice lattice = readLattice(section);
     require(section, "solid", "below or above");
@@ -195,7 +195,7 @@ class HeightField : public Primitive
   }
 
  private:
-  static Lattice readLattice(maps::StrictSection& section)
+  static Lattice readLattice(params::StrictSection& section)
   {
     const auto min = readPoint2D(section, "min"), max = readPoint2D(section, "max");
     if (!(min.x < max.x && min.y < max.y)) section.fail("max", "above min in x and y");

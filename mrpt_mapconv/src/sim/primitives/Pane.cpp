@@ -19,7 +19,7 @@ class Pane : public Primitive
   {
   }
 
-  static std::unique_ptr<Primitive> read(maps::StrictSection& section)
+  static std::unique_ptr<Primitive> read(params::StrictSection& section)
   {
     const auto from = readPoint2D(section, "from"), to = readPoint2D(section, "to");
     const double length = std::hypot(to.x - from.x, to.y - from.y);

@@ -62,7 +62,7 @@ class Person : public Primitive, public CurvedSurface, public Motion
   /** \param body where the walk's line begins */
   Person(const UprightCylinder& body, Walk walk) : m_body(body), m_walk(std::move(walk)) {}
 
-  static std::unique_ptr<Primitive> read(maps::StrictSection& section)
+  static std::unique_ptr<Primitive> read(params::StrictSection& section)
   {
     const auto line = readLine(section, "path");
     const double speed = readPositive(section, "speed");

@@ -12,7 +12,7 @@ class Ramp : public Primitive
  public:
   Ramp(const Corners& corners, Direction direction) : m_corners(corners), m_direction(direction) {}
 
-  static std::unique_ptr<Primitive> read(maps::StrictSection& section)
+  static std::unique_ptr<Primitive> read(params::StrictSection& section)
   {
     return std::make_unique<Ramp>(readCorners(section), readDirection(section));
   }

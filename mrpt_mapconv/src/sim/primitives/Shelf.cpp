@@ -13,7 +13,7 @@ namespace
 class Shelf : public Furniture
 {
  public:
-  Shelf(maps::StrictSection& section, const Outline& outline)
+  Shelf(params::StrictSection& section, const Outline& outline)
       : Furniture(section, outline.middle()),
         m_size(outline.size()),
         m_front(readDirection(section)),
@@ -32,7 +32,7 @@ class Shelf : public Furniture
     for (std::int32_t board = 0; board < boards; ++board) addBoard(kFoot + board * spacing);
   }
 
-  static std::unique_ptr<Primitive> read(maps::StrictSection& section)
+  static std::unique_ptr<Primitive> read(params::StrictSection& section)
   {
     return std::make_unique<Shelf>(section, readOutline(section));
   }

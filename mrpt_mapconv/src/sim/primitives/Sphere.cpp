@@ -17,7 +17,7 @@ class Sphere : public Primitive, public CurvedSurface
  public:
   Sphere(const TPoint3D& centre, double radius) : m_centre(centre), m_radius(radius) {}
 
-  static std::unique_ptr<Primitive> read(maps::StrictSection& section)
+  static std::unique_ptr<Primitive> read(params::StrictSection& section)
   {
     const TPoint3D centre = readPoint3D(section, "centre");
     return std::make_unique<Sphere>(centre, readPositive(section, "radius"));

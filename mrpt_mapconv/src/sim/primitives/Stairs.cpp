@@ -20,7 +20,7 @@ class Stairs : public Primitive
   {
   }
 
-  static std::unique_ptr<Primitive> read(maps::StrictSection& section)
+  static std::unique_ptr<Primitive> read(params::StrictSection& section)
   {
     const Corners corners = readCorners(section);
     const Direction direction = readDirection(section);

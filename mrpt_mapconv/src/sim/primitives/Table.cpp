@@ -12,7 +12,8 @@ namespace
 class Table : public Furniture
 {
  public:
-  Table(maps::StrictSection& section, const Outline& outline) : Furniture(section, outline.middle())
+  Table(params::StrictSection& section, const Outline& outline)
+      : Furniture(section, outline.middle())
   {
     const double height = readPositive(section, "height", 0.74);
     const double thickness = readPositive(section, "thickness", 0.03);
@@ -25,7 +26,7 @@ class Table : public Furniture
     add({{-x, -y, height - thickness}, {x, y, height}});
   }
 
-  static std::unique_ptr<Primitive> read(maps::StrictSection& section)
+  static std::unique_ptr<Primitive> read(params::StrictSection& section)
   {
     return std::make_unique<Table>(section, readOutline(section));
   }

@@ -68,7 +68,7 @@ class DepthCamera : public Sensor
 };
 }  // namespace
 
-std::unique_ptr<Sensor> readDepthCamera(maps::StrictSection& section, SensorParams params)
+std::unique_ptr<Sensor> readDepthCamera(params::StrictSection& section, SensorParams params)
 {
   const int width = readCount(section, "width", 2, 10000);
   const int height = readCount(section, "height", 2, 10000);

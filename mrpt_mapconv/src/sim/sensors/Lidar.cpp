@@ -42,7 +42,7 @@ class Lidar : public Sensor
   }
 };
 
-std::vector<double> evenElevations(maps::StrictSection& section)
+std::vector<double> evenElevations(params::StrictSection& section)
 {
   const int beams = readCount(section, "beams", 1, kMostBeams);
   const double low = readWithin(section, "elevationMin", -90, 90);
@@ -55,7 +55,7 @@ std::vector<double> evenElevations(maps::StrictSection& section)
   return elevations;
 }
 
-std::vector<double> readElevations(maps::StrictSection& section)
+std::vector<double> readElevations(params::StrictSection& section)
 {
   if (!section.has("elevations")) return evenElevations(section);
   if (section.has("beams")) section.fail("beams", "left out: elevations already say them");
@@ -68,7 +68,7 @@ std::vector<double> readElevations(maps::StrictSection& section)
 }
 }  // namespace
 
-std::unique_ptr<Sensor> readLidar(maps::StrictSection& section, SensorParams params)
+std::unique_ptr<Sensor> readLidar(params::StrictSection& section, SensorParams params)
 {
   const auto elevations = readElevations(section);
   const int steps = readCount(section, "azimuthSteps", 1, kMostSteps);

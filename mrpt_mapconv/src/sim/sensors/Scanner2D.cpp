@@ -46,7 +46,7 @@ class Scanner2D : public Sensor
 };
 }  // namespace
 
-std::unique_ptr<Sensor> readScanner2D(maps::StrictSection& section, SensorParams params)
+std::unique_ptr<Sensor> readScanner2D(params::StrictSection& section, SensorParams params)
 {
   const double fov = readWithin(section, "fieldOfView", 1, 360);
   const int rays = readCount(section, "rays", 2, 100000);

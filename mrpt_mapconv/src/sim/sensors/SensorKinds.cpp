@@ -8,7 +8,7 @@
 
 namespace mrpt_mapconv::sim
 {
-using maps::StrictSection;
+using params::StrictSection;
 
 namespace
 {

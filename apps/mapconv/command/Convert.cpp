@@ -1,0 +1,228 @@
+#include <mrpt/core/format.h>
+#include <mrpt_mapconv/files/OutputDir.h>
+#include <mrpt_mapconv/freespace/Conversion.h>
+#include <mrpt_mapconv/freespace/LayerFiles.h>
+#include <mrpt_mapconv/grid/GridMap.h>
+#include <mrpt_mapconv/grid/RosMap.h>
+#include <mrpt_mapconv/voxel/OctreeFile.h>
+#include <octomap/AbstractOccupancyOcTree.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "command/Command.h"
+#include "input/IniFile.h"
+#include "input/InputOptions.h"
+#include "output/Console.h"
+#include "output/Interruptible.h"
+#include "output/Scene.h"
+#include "output/Summary.h"
+
+namespace mapconv
+{
+using namespace mrpt_mapconv;
+using freespace::ConversionParams;
+
+namespace
+{
+struct ConvertOptions : InputOptions
+{
+  std::optional<double> minClearance, minOccupancy, maxSlope, maxStep;
+  std::optional<std::int32_t> slopeWindow;
+};
+
+/** A flag that sets a conversion's parameter; what is valid is asked of the library. */
+template <class Value>
+void addParameter(CLI::App& app, const std::string& flag, std::optional<Value>& value,
+                  Value ConversionParams::*member, const std::string& type,
+                  const std::string& description)
+{
+  const CLI::Validator isValid(
+      [member](std::string& text)
+      {
+        if (text.empty()) return std::string("'' is no number");
+        ConversionParams params;
+        // What is no number is left to the parser's own complaint.
+        if (!CLI::detail::lexical_cast(text, params.*member)) return std::string();
+        try
+        {
+          params.check();
+        }
+        catch (const std::invalid_argument& error)
+        {
+          return std::string(error.what());
+        }
+        return std::string();
+      },
+      "");
+  app.add_option(flag, value, description)->check(isValid)->type_name(type);
+}
+
+/** Flags win over the ini file. */
+ConversionParams parametersOf(const ConvertOptions& options, const IniOptions& ini)
+{
+  ConversionParams params = ini.conversion.params;
+  if (options.minClearance) params.minClearance = *options.minClearance;
+  if (options.minOccupancy) params.minOccupancy = *options.minOccupancy;
+  if (options.slopeWindow) params.slopeWindow = *options.slopeWindow;
+  if (options.maxSlope) params.maxSlope = *options.maxSlope;
+  if (options.maxStep) params.maxStep = *options.maxStep;
+  params.check();
+  return params;
+}
+
+void writeOutputs(const freespace::Layers& layers, const ConversionParams& params,
+                  const InputMap& input, const std::string& dir, Progress& progress,
+                  Interruptible& interruptible)
+{
+  files::OutputDir out(dir);
+  const auto watch = interruptible.watch(out);
+  std::vector<std::function<void()>> jobs;
+  jobs.emplace_back([&] { freespace::writeLayersTiff(out.path("layers.tif"), layers, params); });
+  jobs.emplace_back([&] { voxel::writeOctreeFile(out.path("voxels.bt"), input.octree()); });
+  for (const auto& [name, layer] : layers.named())
+    jobs.emplace_back([&, name = name]
+                      { freespace::writeLayerPicture(out.path(name + ".png"), layers, name); });
+  for (const std::string name : {"aerial", "ground"})
+  {
+    const auto& layer = name == "aerial" ? layers.aerial : layers.ground;
+    jobs.emplace_back([&, name] { grid::writeGridMap(out.path(name + ".gridmap"), layer); });
+    jobs.emplace_back(
+        [&, name] {
+          grid::writeRosMap(out.path(name + ".pgm"), out.path(name + ".yaml"), name + ".pgm",
+                            layer);
+        });
+  }
+  jobs.emplace_back([&] { writeScene(out.path("map.3Dscene"), layers); });
+
+  progress.stage("writing to " + dir);
+  for (std::size_t i = 0; i < jobs.size(); ++i)
+  {
+    jobs[i]();
+    progress.done(static_cast<double>(i + 1) / static_cast<double>(jobs.size()));
+  }
+  interruptible.commit();
+}
+
+void warnAbout(const freespace::LayerStatistics& counts, const ConversionParams& params,
+               double resolution)
+{
+  if (counts.free == 0)
+    printWarning(
+        "nowhere are minClearance = " + jsonNumber(params.minClearance) +
+        " m of free space above each other, so all layers are unknown; if the map has free "
+        "space at all, a smaller --min-clearance finds it");
+  constexpr double kHighStep = 0.3;
+  const double minStep = params.minStep(resolution);
+  const bool stepsChecked = params.maxStep > 0 && params.maxStep <= kHighStep;
+  if (minStep > kHighStep && !stepsChecked)
+    printWarning(
+        mrpt::format("the slope test marks straight steps for the ground robot only from "
+                     "minStep = %.2f m on; --max-step %.2g, say, also marks lower ones",
+                     minStep, std::max(0.1, 1.5 * resolution)));
+}
+
+JsonObject parametersJson(const ConversionParams& params)
+{
+  JsonObject json;
+  json.add("minClearance", params.minClearance).add("minOccupancy", params.minOccupancy);
+  json.add("slopeWindow", params.slopeWindow).add("maxSlope", params.maxSlope);
+  json.add("maxStep", params.maxStep);
+  return json;
+}
+
+std::string jsonSummary(const Job& job, const freespace::Layers& layers,
+                        const freespace::LayerStatistics& counts, const ConversionParams& params,
+                        const Seconds& seconds)
+{
+  const double resolution = layers.frame().resolution;
+  JsonObject json =
+      summaryJson(job, layers.frame(), {counts.free, counts.occupied, counts.unknown});
+  json.add("steep", counts.steep).add("slopeUnknown", counts.slopeUnknown);
+  json.add("minStep", params.minStep(resolution)).add("parameters", parametersJson(params));
+  return json.add("seconds", secondsJson(seconds)).text() + "\n";
+}
+
+std::string textSummary(const Job& job, const freespace::Layers& layers,
+                        const freespace::LayerStatistics& counts, const ConversionParams& params,
+                        const Seconds& seconds)
+{
+  std::string text = headText(job, layers.frame());
+  text += countsText("aerial", {counts.free, counts.occupied, counts.unknown});
+  text += mrpt::format(
+      "ground       %zu of the free cells are too steep or too high a step (steep), "
+      "%zu have no known slope (slopeUnknown)\n",
+      counts.steep, counts.slopeUnknown);
+  text += mrpt::format("minStep      %.2f m: lowest straight step that the slope test marks; ",
+                       params.minStep(layers.frame().resolution));
+  text += params.maxStep > 0 ? "maxStep marks those above " + jsonNumber(params.maxStep) + " m\n"
+                             : std::string("maxStep is off\n");
+  return text + secondsText(seconds);
+}
+
+int convert(const ConvertOptions& options)
+{
+  Interruptible interruptible;
+  ResultOutput result;
+  const IniOptions ini = options.iniFile.empty() ? IniOptions() : readIni(options.iniFile);
+  const ConversionParams params = parametersOf(options, ini);
+  InputRequest request = options.input;
+  request.insertion = ini.insertion;
+  // Says now, not after minutes of reading, if nothing can be written there.
+  static_cast<void>(files::OutputDir(options.outputDir));
+
+  Seconds seconds;
+  Stopwatch watch;
+  std::optional<Progress> progress(std::in_place);
+  const InputMap input(request, *progress);
+  seconds.load = watch.lap();
+  progress->stage("converting");
+  const freespace::Layers layers = freespace::convert(input.source(), params, options.threads);
+  seconds.convert = watch.lap();
+  const auto counts = freespace::statistics(layers);
+  warnAbout(counts, params, layers.frame().resolution);
+  watch.lap();
+  writeOutputs(layers, params, input, options.outputDir, *progress, interruptible);
+  seconds.write = watch.lap();
+  progress.reset();
+
+  const Job job{options.input.file, input.description(), options.outputDir};
+  result.print(options.json ? jsonSummary(job, layers, counts, params, seconds)
+                            : textSummary(job, layers, counts, params, seconds));
+  return 0;
+}
+}  // namespace
+
+std::pair<CLI::App*, Command> addConvert(CLI::App& app)
+{
+  CLI::App* sub = app.add_subcommand(
+      "convert",
+      "Makes floor, ceiling, slope and occupancy layers of a voxel map by free-space projection");
+  auto options = std::make_shared<ConvertOptions>();
+  addInputOptions(*sub, *options);
+  using P = ConversionParams;
+  addParameter(*sub, "--min-clearance", options->minClearance, &P::minClearance, "M",
+               "a free range must be at least this high [m], default 1");
+  addParameter(*sub, "--min-occupancy", options->minOccupancy, &P::minOccupancy, "P",
+               "least share of a neighbour's free range that blocks, 0 to 1, default 0.5");
+  addParameter(*sub, "--slope-window", options->slopeWindow, &P::slopeWindow, "N",
+               "cells around a cell over which its slope is fitted, default 2");
+  addParameter(*sub, "--max-slope", options->maxSlope, &P::maxSlope, "S",
+               "steepest slope for a ground robot [m/m], default 2");
+  addParameter(*sub, "--max-step", options->maxStep, &P::maxStep, "M",
+               "highest step for a ground robot [m], default 0 = not looked at");
+  sub->footer(
+      "Example:\n"
+      "  mapconv convert building.bt -o maps --min-clearance 0.5 --max-step 0.1\n"
+      "  mapconv convert drive.rawlog -o maps --resolution 0.2 -c convert.ini\n"
+      "DIR gets layers.tif; voxels.bt; aerial and ground .gridmap, .pgm and .yaml; a .png of each\n"
+      "layer; map.3Dscene. It is what plan and lift work on. In the summary free, occupied and "
+      "unknown count cells of the aerial layer;\n"
+      "steep are those that are free there but not for a ground robot.");
+  return {sub, [options] { return convert(*options); }};
+}
+
+}  // namespace mapconv

@@ -1,0 +1,65 @@
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <memory>
+
+#include "command/Command.h"
+#include "input/InputFile.h"
+#include "output/Console.h"
+#include "output/InfoReport.h"
+#include "output/Progress.h"
+
+namespace mapconv
+{
+void InfoReport::line(const std::string& label, const std::string& text)
+{
+  constexpr std::size_t kLabelWidth = 12;
+  const std::size_t gap = label.size() < kLabelWidth ? kLabelWidth - label.size() : 0;
+  m_text += label + std::string(gap + 1, ' ') + text + "\n";
+}
+
+namespace
+{
+struct InfoOptions
+{
+  std::string file;
+  bool json = false;
+};
+
+int info(const InfoOptions& options)
+{
+  ResultOutput result;
+  InfoReport report;
+  report.json.add("file", options.file);
+  report.line("file", options.file);
+  std::error_code error;
+  if (const auto bytes = std::filesystem::file_size(options.file, error); !error)
+  {
+    report.json.add("bytes", bytes);
+    report.line("bytes", std::to_string(bytes));
+  }
+  {
+    Progress progress;
+    progress.stage("reading " + options.file);
+    if (kindOf(options.file) == FileKind::Octree)
+      describeOctreeFile(options.file, report);
+    else
+      describeObjectFile(options.file, report);
+  }
+  result.print(options.json ? report.json.text() + "\n" : report.text());
+  return 0;
+}
+}  // namespace
+
+std::pair<CLI::App*, Command> addInfo(CLI::App& app)
+{
+  CLI::App* sub = app.add_subcommand("info", "Says what a file mrpt_mapconv::eval::holds");
+  auto options = std::make_shared<InfoOptions>();
+  sub->add_option("FILE", options->file, "an octree, rawlog, simplemap, gridmap or other MRPT map")
+      ->required()
+      ->type_name("");
+  sub->add_flag("--json", options->json, "print one JSON object");
+  sub->footer("Example:\n  mapconv info building.bt");
+  return {sub, [options] { return info(*options); }};
+}
+
+}  // namespace mapconv

@@ -1,0 +1,298 @@
+#include <mrpt/core/format.h>
+#include <mrpt_mapconv/files/ObjectWriter.h>
+#include <mrpt_mapconv/files/OutputDir.h>
+#include <mrpt_mapconv/grid/GeoTiff.h>
+#include <mrpt_mapconv/grid/GridMap.h>
+#include <mrpt_mapconv/grid/LayerPicture.h>
+#include <mrpt_mapconv/grid/OccupancyCell.h>
+#include <mrpt_mapconv/grid/RosMap.h>
+#include <mrpt_mapconv/params/Require.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+
+#include "command/Command.h"
+#include "input/InputOptions.h"
+#include "input/ScanFile.h"
+#include "input/ScanInserter.h"
+#include "input/ScanSettings.h"
+#include "output/Console.h"
+#include "output/Interruptible.h"
+#include "output/Progress.h"
+#include "output/Summary.h"
+
+namespace mapconv
+{
+using namespace mrpt_mapconv;
+
+namespace
+{
+struct InsertOptions
+{
+  std::string file, iniFile, outputDir;
+  ScanFlags flags;
+  bool staticSensor = false, json = false;
+};
+
+/** The map without the room that it has left for further scans. */
+struct Result
+{
+  grid::Layer<float> occupancy, probability;  //!< on the same frame
+};
+
+/** The smallest frame that eval::holds all cells that are known. */
+grid::GridFrame knownFrame(const grid::Layer<float>& occupancy)
+{
+  const grid::GridFrame& all = occupancy.frame();
+  std::int32_t xMin = all.width, xMax = -1, yMin = all.height, yMax = -1;
+  for (std::int32_t iy = 0; iy < all.height; ++iy)
+    for (std::int32_t ix = 0; ix < all.width; ++ix)
+    {
+      if (occupancy.at(ix, iy) == grid::kUnknown) continue;
+      xMin = std::min(xMin, ix);
+      xMax = std::max(xMax, ix);
+      yMin = std::min(yMin, iy);
+      yMax = std::max(yMax, iy);
+    }
+  if (xMax < 0) return {all.resolution, all.x0, all.y0, 0, 0};
+  return {all.resolution, all.x0 + xMin, all.y0 + yMin, xMax - xMin + 1, yMax - yMin + 1};
+}
+
+std::string skippedText(const InsertionFigures& figures)
+{
+  std::string text;
+  for (const auto& [kind, skipped] : figures.skipped)
+    text += (text.empty() ? "" : "; ") + std::to_string(skipped.count) + ": " + skipped.why;
+  return text;
+}
+
+Result resultOf(const ScanInserter& inserter, const std::string& file)
+{
+  const auto occupancy = inserter.map().occupancy();
+  const grid::GridFrame frame = knownFrame(occupancy);
+  if (frame.empty())
+    throw std::runtime_error(file + ": none of its scans says anything (" +
+                             skippedText(inserter.figures()) + ")");
+  return {occupancy.onFrame(frame, grid::kUnknown), inserter.map().probability().onFrame(frame, 0)};
+}
+
+void insertAll(const std::vector<observation::PosedObservation>& scans, const std::string& file,
+               ScanInserter& inserter, Progress& progress)
+{
+  progress.stage("inserting the scans of " + file);
+  std::size_t count = 0;
+  for (const auto& scan : scans)
+  {
+    progress.done(static_cast<double>(count++) / static_cast<double>(scans.size()));
+    try
+    {
+      inserter.insert(scan);
+    }
+    catch (const std::invalid_argument&)
+    {
+      throw;  // it is about the options
+    }
+    catch (const std::exception& error)
+    {
+      throw std::runtime_error(file + ": scan " + std::to_string(count) + " of " +
+                               std::to_string(scans.size()) + ": " + params::oneLine(error));
+    }
+  }
+}
+
+/** A 2D scanner looks below table tops and into glass, and takes back what 3D scans have found. */
+void warnOf2D(const InsertionFigures& figures)
+{
+  if (figures.scans2D == 0) return;
+  printWarning(std::to_string(figures.scans2D) +
+               " 2D scans were inserted as well: they free cells whose objects lie above or below "
+               "them, and nothing cuts their reflections; --no-2d (or insert2D = false in section "
+               "[insertion] of an ini file) leaves them out");
+}
+
+/** As MRPT's own class, which its programs read without this library; with the map's own cells. */
+void writeGrid(const std::string& path, const CScanShapeGridMap2D& map,
+               const grid::Layer<float>& occupancy)
+{
+  const grid::GridFrame from = map.frame(), to = occupancy.frame();
+  mrpt::maps::COccupancyGridMap2D plain;
+  grid::copyToGridMap(occupancy, plain);
+  for (std::int32_t iy = 0; iy < to.height; ++iy)
+    std::copy_n(map.getRow(iy + to.y0 - from.y0) + (to.x0 - from.x0), to.width, plain.getRow(iy));
+  files::writeObject(path, plain);
+}
+
+grid::PictureStyle styleOf(const scan::ProfileParams& params)
+{
+  return {"Occupancy between z = " + jsonNumber(params.objectMinZ) + " m and " +
+              jsonNumber(params.objectMaxZ) + " m, from 3D scans",
+          "", grid::PictureKind::Occupancy};
+}
+
+void writeOutputs(const Result& map, const ScanInserter& inserter, const std::string& dir,
+                  Progress& progress, Interruptible& interruptible)
+{
+  progress.stage("writing to " + dir);
+  files::OutputDir out(dir);
+  const auto watch = interruptible.watch(out);
+  grid::writeGeoTiff(out.path("map.tif"), {{"occupancy", &map.probability}});
+  writeGrid(out.path("map.gridmap"), inserter.map(), map.occupancy);
+  grid::writeRosMap(out.path("map.pgm"), out.path("map.yaml"), "map.pgm", map.occupancy);
+  grid::writeLayerPng(out.path("map.png"), map.occupancy,
+                      styleOf(inserter.settings().insertion.profile));
+  interruptible.commit();
+}
+
+std::string textSummary(const Job& job, const Result& map, const ScanInserter& inserter,
+                        const Seconds& seconds)
+{
+  const auto& params = inserter.settings().insertion.profile;
+  const InsertionFigures& figures = inserter.figures();
+  std::string text = headText(job, map.occupancy.frame());
+  text += countsText("map", countsOf(map.occupancy));
+  text += "model        " + settingsText(params) + "\n";
+  const std::string changed = changedText(inserter.settings());
+  if (!changed.empty()) text += "not default  " + changed + "\n";
+  text += mrpt::format("inserted     %zu 3D scans with %zu points, %zu 2D scans\n", figures.scans3D,
+                       figures.points, figures.scans2D);
+  if (figures.skips() > 0) text += "skipped      " + skippedText(figures) + "\n";
+  if (params.reflectionFilter)
+    text += mrpt::format("walls        on %.1f %% of the azimuths, mean of the 3D scans\n",
+                         100 * figures.meanWallShare());
+  text += mrpt::format(
+      "speed        %.1f 3D scans/s, %.2f million points/s of insertion, decoding included\n",
+      figures.scansPerSecond(), 1e-6 * figures.pointsPerSecond());
+  return text + secondsText(seconds);
+}
+
+std::string jsonSummary(const Job& job, const Result& map, const ScanInserter& inserter,
+                        const Seconds& seconds)
+{
+  const InsertionFigures& figures = inserter.figures();
+  JsonObject why;
+  for (const auto& [kind, skipped] : figures.skipped) why.add(skipped.why, skipped.count);
+  JsonObject json = summaryJson(job, map.occupancy.frame(), countsOf(map.occupancy));
+  json.add("parameters", settingsJson(inserter.settings()));
+  json.add("scans3D", figures.scans3D).add("scans2D", figures.scans2D);
+  json.add("skipped", figures.skips()).add("skippedBecause", why).add("points", figures.points);
+  // null: walls were not looked for
+  const bool filter = inserter.settings().insertion.profile.reflectionFilter;
+  json.add("shareWithWall", filter ? figures.meanWallShare() : NAN);
+  json.add("scansPerSecond", figures.scansPerSecond());
+  json.add("pointsPerSecond", figures.pointsPerSecond());
+  return json.add("seconds", secondsJson(seconds)).text() + "\n";
+}
+
+void checkFlags(const ScanFlags& flags)
+{
+  if (flags.structure.empty()) return;
+  if (flags.structure[0] >= flags.structure[1])
+    throw UsageError("--structure " + jsonNumber(flags.structure[0]) + " " +
+                     jsonNumber(flags.structure[1]) + " is not valid: MIN must be below MAX");
+  if (flags.noReflectionFilter)
+    printWarning("--structure has no effect: --no-reflection-filter looks for no walls");
+}
+
+int insert(const InsertOptions& options)
+{
+  checkFlags(options.flags);
+  Interruptible interruptible;
+  ResultOutput result;
+  ScanInserter inserter(readScanSettings(options.iniFile, options.flags));
+  // Says now, not after minutes of reading, if nothing can be written there.
+  static_cast<void>(files::OutputDir(options.outputDir));
+
+  Seconds seconds;
+  seconds.work = "insert";
+  Stopwatch watch;
+  std::optional<Progress> progress(std::in_place);
+  const ScanFile file = read3DScans(options.file, options.staticSensor, *progress);
+  seconds.load = watch.lap();
+  insertAll(file.scans, options.file, inserter, *progress);
+  seconds.convert = watch.lap();
+  warnOf2D(inserter.figures());
+  const Result map = resultOf(inserter, options.file);
+  writeOutputs(map, inserter, options.outputDir, *progress, interruptible);
+  seconds.write = watch.lap();
+  progress.reset();
+
+  const Job job{options.file, file.description, options.outputDir};
+  result.print(options.json ? jsonSummary(job, map, inserter, seconds)
+                            : textSummary(job, map, inserter, seconds));
+  return 0;
+}
+
+/** The map's own opinion on a resolution. */
+CLI::Validator isResolution()
+{
+  return CLI::Validator(
+      [](std::string& text)
+      {
+        double resolution = 0;
+        if (text.empty() || !CLI::detail::lexical_cast(text, resolution))
+          return "'" + text + "' is not valid: it must be a number";
+        try
+        {
+          static_cast<void>(CScanShapeGridMap2D(resolution));
+        }
+        catch (const std::invalid_argument& error)
+        {
+          return std::string(error.what());
+        }
+        return std::string();
+      },
+      "");
+}
+
+void addMethodOptions(CLI::App& app, ScanFlags& flags)
+{
+  app.add_option("--resolution", flags.resolution, "size of a cell [m], default 0.05")
+      ->check(isResolution())
+      ->type_name("M");
+  app.add_option("--model", flags.model,
+                 "wholeShape (all objects on an azimuth, the default) or closestPoint")
+      ->check(CLI::IsMember(scan::modelNames()))
+      ->type_name("MODEL");
+  app.add_flag("--no-reflection-filter", flags.noReflectionFilter,
+               "keep what is seen behind walls and in glass");
+  app.add_option("--structure", flags.structure,
+                 "heights just under the ceiling, where only walls are [m]; the reflection filter "
+                 "needs them")
+      ->type_size(2)
+      ->expected(1)  // else a vector takes all that follows, and INPUT with it
+      ->check(isFinite())
+      ->type_name("MIN MAX");
+  app.add_flag("--no-2d", flags.no2D, "leave out 2D scans of the log");
+}
+
+}  // namespace
+
+std::pair<CLI::App*, Command> addInsert(CLI::App& app)
+{
+  CLI::App* sub = app.add_subcommand(
+      "insert", "Makes a 2D occupancy map of 3D scans: whole shapes, reflections cut");
+  auto options = std::make_shared<InsertOptions>();
+  sub->add_option("INPUT", options->file, "a .rawlog or .simplemap with 3D scans")
+      ->required()
+      ->type_name("");
+  addOutputOptions(*sub, options->outputDir, options->json);
+  sub->add_option("-c,--config", options->iniFile, "options: sections [insertion], [map]")
+      ->type_name("FILE.ini");
+  addMethodOptions(*sub, options->flags);
+  addStaticOption(*sub, options->staticSensor);
+  sub->footer(
+      "Example:\n"
+      "  mapconv insert office.rawlog -o map --structure 2.2 2.6\n"
+      "  mapconv insert office.simplemap -o map -c config/scanShapeGrid/insert.ini --model "
+      "closestPoint\n"
+      "Heights are those above the robot's base. DIR gets map.gridmap, .pgm, .yaml, .png and .tif\n"
+      "(probability of occupancy). 2D scans of the log are inserted as well, unless --no-2d is\n"
+      "given or the ini file says insert2D = false.");
+  return {sub, [options] { return insert(*options); }};
+}
+
+}  // namespace mapconv

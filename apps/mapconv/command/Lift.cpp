@@ -1,0 +1,91 @@
+#include <mrpt_mapconv/files/AtomicFile.h>
+#include <mrpt_mapconv/files/FileIo.h>
+#include <mrpt_mapconv/path/LiftPath.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <filesystem>
+#include <memory>
+#include <stdexcept>
+
+#include "command/Command.h"
+#include "input/PathFile.h"
+#include "input/PathOptions.h"
+#include "output/Console.h"
+
+namespace mapconv
+{
+using namespace mrpt_mapconv;
+
+namespace
+{
+struct LiftOptions : PathOptions
+{
+  std::string pathFile;
+};
+
+constexpr double kSafetyRadius = 0.3;
+
+/** The lifted path; what is wrong with the file's points is said with its name. */
+path::LiftedPath lifted(const std::vector<mrpt::math::TPoint2D>& path2D, const MapFolder& map,
+                        const path::LiftParams& params, const std::string& file)
+{
+  try
+  {
+    return path::liftPath(path2D, map.layers(), map.params(), params, map.voxels());
+  }
+  catch (const std::invalid_argument& error)
+  {
+    throw std::runtime_error(file + ": " + error.what());
+  }
+}
+
+int lift(const LiftOptions& options)
+{
+  checkCsvName(options.outputFile);
+  std::error_code ignored;
+  if (std::filesystem::equivalent(options.pathFile, options.outputFile, ignored))
+    throw UsageError("-o " + options.outputFile + " is the path that is to be lifted");
+  ResultOutput result;
+  const auto path2D = readPath2D(options.pathFile);
+  const MapFolder map(options.dir);
+  const auto params =
+      liftParamsOf(options, map, std::min(kSafetyRadius, map.params().minClearance / 2));
+  const auto path = lifted(path2D, map, params, options.pathFile);
+  if (const auto problem = path.firstProblem())
+  {
+    const auto bad =
+        std::count_if(path.points.begin(), path.points.end(),
+                      [](const auto& point) { return point.problem != path::Infeasibility::None; });
+    throw std::runtime_error(options.pathFile + ": " + path.describeProblem(*problem) + " (" +
+                             std::to_string(bad) + " of " + std::to_string(path.points.size()) +
+                             " points cannot be reached; nothing written)");
+  }
+  files::AtomicFile file(options.outputFile);
+  files::writeFile(file.stagingPath(), pathCsv(path));
+  file.commit();
+  JsonObject json = pathJson(path);
+  result.print(options.json
+                   ? json.add("output", options.outputFile).text() + "\n"
+                   : options.pathFile + " -> " + options.outputFile + "\n" + pathText(path));
+  return 0;
+}
+}  // namespace
+
+std::pair<CLI::App*, Command> addLift(CLI::App& app)
+{
+  CLI::App* sub = app.add_subcommand("lift", "Gives a 2D path heights on a converted map");
+  auto options = std::make_shared<LiftOptions>();
+  addPathOptions(*sub, *options, "0.3 or that");
+  sub->add_option("PATH", options->pathFile,
+                  "CSV file with a point a line: x,y [m], or a header that names the columns")
+      ->required()
+      ->type_name("FILE.csv");
+  sub->footer(
+      "Example:\n  mapconv lift maps path2d.csv --robot aerial --safety-radius 0.3 -o path3d.csv\n"
+      "Points are added until they lie no further apart than a cell. If one of them cannot be\n"
+      "reached, the program says which and why, and writes nothing.");
+  return {sub, [options] { return lift(*options); }};
+}
+
+}  // namespace mapconv

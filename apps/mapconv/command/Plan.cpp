@@ -1,0 +1,114 @@
+#include <mrpt/core/format.h>
+#include <mrpt_mapconv/files/FileIo.h>
+#include <mrpt_mapconv/files/OutputDir.h>
+#include <mrpt_mapconv/grid/LayerPicture.h>
+#include <mrpt_mapconv/planning/RobotPath.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "command/Command.h"
+#include "input/InputOptions.h"
+#include "input/PathFile.h"
+#include "input/PathOptions.h"
+#include "output/Console.h"
+#include "output/Interruptible.h"
+#include "output/PathScene.h"
+
+namespace mapconv
+{
+using namespace mrpt_mapconv;
+using freespace::Robot;
+
+namespace
+{
+struct PlanOptions : PathOptions
+{
+  std::vector<double> from, to;
+  double robotRadius = 0;
+};
+
+std::vector<mrpt::math::TPoint2D> flat(const path::LiftedPath& path)
+{
+  std::vector<mrpt::math::TPoint2D> points;
+  for (const auto& point : path.points) points.emplace_back(point.position.x, point.position.y);
+  return points;
+}
+
+/** The path's files lie beside each other and differ in their extension. */
+void writeOutputs(const PlanOptions& options, const MapFolder& map, const planning::RobotPath& way,
+                  Interruptible& interruptible)
+{
+  const std::filesystem::path file = options.outputFile;
+  files::OutputDir out(file.has_parent_path() ? file.parent_path().string() : ".");
+  const auto watch = interruptible.watch(out);
+  const std::string stem = file.stem().string();
+  const bool ground = options.robot == "ground";
+  grid::PictureStyle style{"Path of the " + options.robot + " robot", "",
+                           grid::PictureKind::Occupancy, flat(way.path)};
+  style.pathLabel = mrpt::format("path, %.1f m, from the ring to the disc", way.length);
+  const auto& layers = map.layers();
+  files::writeFile(out.path(file.filename().string()), pathCsv(way.path));
+  grid::writeLayerPng(out.path(stem + ".png"), ground ? layers.ground : layers.aerial, style,
+                      ground ? &layers.aerial : nullptr);
+  writePathScene(out.path(stem + ".3Dscene"), map, way.path);
+  interruptible.commit();
+}
+
+int plan(const PlanOptions& options)
+{
+  checkCsvName(options.outputFile);
+  Interruptible interruptible;
+  ResultOutput result;
+  const MapFolder map(options.dir);
+  planning::RobotPathQuery query;
+  query.start = {options.from[0], options.from[1]};
+  query.goal = {options.to[0], options.to[1]};
+  query.robotRadius = options.robotRadius;
+  query.lift = liftParamsOf(options, map, options.robotRadius);
+  const auto way = planning::planRobotPath(map.layers(), map.params(), query, map.voxels());
+  if (!way.found()) throw std::runtime_error(options.dir + ": no path: " + way.problem);
+  writeOutputs(options, map, way, interruptible);
+  JsonObject json = pathJson(way.path);
+  result.print(options.json
+                   ? json.add("output", options.outputFile).text() + "\n"
+                   : options.dir + " -> " + options.outputFile + "\n" + pathText(way.path));
+  return 0;
+}
+
+CLI::Option* addPlace(CLI::App& app, const std::string& flag, std::vector<double>& place,
+                      const std::string& what)
+{
+  return app.add_option(flag, place, what)
+      ->required()
+      ->expected(2)
+      ->delimiter(',')
+      ->check(isNumber())
+      ->type_name("X,Y");
+}
+}  // namespace
+
+std::pair<CLI::App*, Command> addPlan(CLI::App& app)
+{
+  CLI::App* sub =
+      app.add_subcommand("plan", "Plans a path on a converted map and gives it heights");
+  auto options = std::make_shared<PlanOptions>();
+  addPathOptions(*sub, *options, "--robot-radius");
+  addPlace(*sub, "--from", options->from, "where the robot is [m]");
+  addPlace(*sub, "--to", options->to, "where it is to go [m]");
+  sub->add_option("--robot-radius", options->robotRadius, "of the robot's outline [m]")
+      ->required()
+      ->check(isNotNegative())
+      ->type_name("R");
+  sub->footer(
+      "Example:\n"
+      "  mapconv plan maps --robot ground --from -3,1.5 --to 7,4 --robot-radius 0.25 -o path.csv\n"
+      "Beside path.csv appear path.png (over the map) and path.3Dscene (in the voxel map).\n"
+      "Without a path the exit status is 1, and the message says why.");
+  return {sub, [options] { return plan(*options); }};
+}
+
+}  // namespace mapconv

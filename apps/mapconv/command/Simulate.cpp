@@ -1,0 +1,102 @@
+#include <mrpt/core/format.h>
+#include <mrpt_mapconv/files/OutputDir.h>
+#include <mrpt_mapconv/sim/SimulationFiles.h>
+
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "command/Command.h"
+#include "output/Console.h"
+#include "output/Interruptible.h"
+#include "output/Json.h"
+#include "output/Progress.h"
+
+namespace mapconv
+{
+using namespace mrpt_mapconv;
+
+namespace
+{
+struct SimulateOptions
+{
+  std::string worldFile, outputDir;
+  std::uint64_t seed = 1;
+  bool json = false;
+};
+
+/** Decimal digits and nothing else: CLI11 itself takes -1 for 2^64 - 1 and 010 for 8. */
+std::uint64_t seedOf(const std::string& text)
+{
+  const char* end = text.data() + text.size();
+  std::uint64_t seed = 0;
+  const auto [stop, error] = std::from_chars(text.data(), end, seed);
+  if (error != std::errc() || stop != end)
+    throw CLI::ValidationError(
+        "--seed", "'" + text + "' is not valid: it must be a whole number from 0 to 2^64 - 1");
+  return seed;
+}
+
+std::string summaryText(const SimulateOptions& options, const sim::SimulationSummary& summary,
+                        double seconds)
+{
+  if (!options.json)
+    return mrpt::format(
+        "%s -> %s\nrun          %.1f s, %.1f m, %zu scans, %zu key frames, %zu 3D returns\n"
+        "seconds      %.1f\n",
+        options.worldFile.c_str(), options.outputDir.c_str(), summary.seconds, summary.way,
+        summary.scans, summary.keyFrames, summary.returns3D, seconds);
+  JsonObject json;
+  json.add("world", options.worldFile).add("output", options.outputDir).add("seed", options.seed);
+  json.add("duration", summary.seconds).add("way", summary.way).add("scans", summary.scans);
+  json.add("keyFrames", summary.keyFrames).add("returns3D", summary.returns3D);
+  return json.add("seconds", seconds).text() + "\n";
+}
+
+int simulate(const SimulateOptions& options)
+{
+  Interruptible interruptible;
+  ResultOutput result;
+  std::optional<Progress> progress(std::in_place);
+  Stopwatch stopwatch;
+  progress->stage("reading " + options.worldFile);
+  const sim::Scenario scenario = sim::Scenario::load(options.worldFile);
+  files::OutputDir out(options.outputDir);
+  const auto watch = interruptible.watch(out);
+  progress->stage("simulating");
+  const auto summary =
+      sim::simulateTo(out, scenario, options.seed, [&](double share) { progress->done(share); });
+  interruptible.commit();
+  progress.reset();
+  result.print(summaryText(options, summary, stopwatch.lap()));
+  return 0;
+}
+}  // namespace
+
+std::pair<CLI::App*, Command> addSimulate(CLI::App& app)
+{
+  CLI::App* sub =
+      app.add_subcommand("simulate", "Lets a robot drive through a world whose truth is known");
+  auto options = std::make_shared<SimulateOptions>();
+  sub->add_option("WORLD", options->worldFile, "the world, its sensors and the robot's way")
+      ->required()
+      ->type_name("WORLD.ini");
+  sub->add_option("-o,--output", options->outputDir, "folder for logs and truth, made if needed")
+      ->required()
+      ->type_name("DIR");
+  sub->add_option_function<std::string>(
+         "--seed", [options](const std::string& text) { options->seed = seedOf(text); },
+         "for all that is random, default 1; the same seed gives the same files")
+      ->type_name("N");
+  sub->add_flag("--json", options->json, "print the summary as one JSON object");
+  sub->footer(
+      "Example:\n  mapconv simulate config/worlds/building.ini -o building\n"
+      "DIR gets scans.rawlog (observations), frames.rawlog (actions and sensory frames),\n"
+      "scans.simplemap, trajectory.csv (the true way), truth.tif and a .png of each true layer.\n"
+      "What WORLD.ini may hold: see share/doc/worlds.md");
+  return {sub, [options] { return simulate(*options); }};
+}
+
+}  // namespace mapconv

@@ -1,0 +1,87 @@
+#include <mrpt/core/format.h>
+#include <mrpt_mapconv/freespace/LayerFiles.h>
+#include <mrpt_mapconv/grid/LayerPicture.h>
+
+#include <stdexcept>
+
+#include "experiment/Experiments.h"
+#include "experiment/freespace/FreespaceResult.h"
+
+namespace mapconv
+{
+using namespace mrpt_mapconv;
+
+namespace
+{
+/** \exception std::runtime_error for a name with which no body of the world begins */
+void checkNames(const std::vector<std::string>& names, const sim::World& bodies,
+                const FreespaceWorld& world, const std::string& key)
+{
+  for (const std::string& start : names)
+  {
+    bool any = false;
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+      any |= bodies.name(i).substr(bodies.name(i).find('.') + 1).rfind(start, 0) == 0;
+    if (!any)
+      throw std::runtime_error("section '" + world.name + "': " + key + ": no body of " +
+                               world.file + " has a name that begins with '" + start + "'");
+  }
+}
+
+FreespaceResult resultOf(const FreespaceWorld& world, const FreespaceSettings& settings,
+                         Progress& progress)
+{
+  FreespaceResult result;
+  result.world = world;
+  progress.stage("reading " + world.file);
+  result.scenario = std::make_shared<const sim::Scenario>(sim::Scenario::load(world.file));
+  checkNames(world.lowWalls, result.scenario->world, world, "lowWalls");
+  checkNames(world.objects, result.scenario->world, world, "objects");
+  progress.stage("exploring " + world.name);
+  result.run = explore(*result.scenario, world, settings, progress);
+  progress.stage("converting " + world.name);
+  result.maps = makeMaps(result.run, *result.scenario, world, settings, progress);
+  return result;
+}
+
+void addWorld(const FreespaceResult& result, Report& report)
+{
+  const auto& frame = result.maps.layers.frame();
+  const std::string& name = result.world.name;
+  report.addText(
+      mrpt::format("**%s**: %zu scans, %.1f million points, %zu leaves of %.2f m, %zu x %zu m.",
+                   name.c_str(), result.run.scans, static_cast<double>(result.run.points) / 1e6,
+                   result.run.tree->getNumLeafNodes(), frame.resolution,
+                   static_cast<std::size_t>(frame.width * frame.resolution),
+                   static_cast<std::size_t>(frame.height * frame.resolution)));
+  freespace::writeLayerPicture(
+      report.addPicture(name + "_ground", name + ": ground robot, free-space projection (strict)"),
+      result.maps.strict, "ground");
+  freespace::writeLayerPicture(report.addPicture(name + "_floor", name + ": floor"),
+                               result.maps.layers, "floor");
+  grid::writeLayerPng(report.addPicture(name + "_slice", name + ": fixed projection of the slice"),
+                      result.maps.slice,
+                      {"Fixed projection of the slice", "", grid::PictureKind::Occupancy});
+  grid::writeLayerPng(report.addPicture(name + "_truth", name + ": the truth, ground robot"),
+                      result.maps.truth.ground,
+                      {"Truth: where a ground robot can be", "", grid::PictureKind::Occupancy});
+}
+}  // namespace
+
+void runFreespaceExperiment(const ExperimentJob& job, Report& report)
+{
+  const FreespaceSettings settings = readFreespaceSettings(job);
+  std::vector<FreespaceResult> results;
+  for (const FreespaceWorld& world : settings.worlds)
+    results.push_back(resultOf(world, settings, job.progress));
+  job.progress.stage("writing tables and plots");
+  addSpeed(results, report);
+  addSizes(results, report);
+  addQuality(results, report);
+  addPaths(results, settings, job.progress, report);
+  job.progress.stage("drawing maps");
+  report.addHeading("Maps");
+  for (const auto& result : results) addWorld(result, report);
+}
+
+}  // namespace mapconv

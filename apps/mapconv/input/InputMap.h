@@ -1,0 +1,61 @@
+#pragma once
+
+#include <mrpt/serialization/CSerializable.h>
+#include <mrpt_mapconv/voxel/VoxelInsertion.h>
+#include <mrpt_mapconv/voxel/VoxelSource.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "input/InputFile.h"
+#include "output/Progress.h"
+
+namespace octomap
+{
+class AbstractOcTree;
+class AbstractOccupancyOcTree;
+}  // namespace octomap
+
+namespace mapconv
+{
+/** Which voxel map is wanted. */
+struct InputRequest
+{
+  std::string file;
+  std::optional<double> resolution;  //!< of a voxel map that is built from scans [m]
+  bool staticSensor = false;         //!< the sensor of a rawlog stood still
+  mrpt_mapconv::voxel::TVoxelInsertionOptions insertion;  //!< how scans are inserted
+};
+
+/** The voxel map that a file mrpt_mapconv::eval::holds, or that its scans give. */
+class InputMap
+{
+ public:
+  static constexpr double kDefaultResolution = 0.10;  //!< of a map that is built from scans [m]
+
+  /** Warns where parts of the request or of the file have no effect.
+   * \exception std::exception in one line naming the file and what is wrong with it */
+  InputMap(const InputRequest& request, Progress& progress);
+  ~InputMap();
+
+  const mrpt_mapconv::voxel::VoxelSource& source() const { return *m_source; }
+  const octomap::AbstractOccupancyOcTree& octree() const;
+  /** What it was made of, e.g. "OctoMap file (OcTree)". */
+  const std::string& description() const { return m_description; }
+
+ private:
+  void readObject(const InputRequest& request, Progress& progress);
+  void readTree(const InputRequest& request);
+  void buildFromScans(FileKind kind, const InputRequest& request, Progress& progress);
+
+  void useTree(const octomap::AbstractOcTree& tree);
+
+  std::unique_ptr<octomap::AbstractOcTree> m_ownTree;  //!< unless it belongs to m_object
+  mrpt::serialization::CSerializable::Ptr m_object;
+  const octomap::AbstractOccupancyOcTree* m_tree = nullptr;
+  std::unique_ptr<mrpt_mapconv::voxel::VoxelSource> m_source;
+  std::string m_description;
+};
+
+}  // namespace mapconv

@@ -1,0 +1,80 @@
+#include "input/InputOptions.h"
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+
+namespace mapconv
+{
+namespace
+{
+/** Accepts numbers for which `isOk`. \param right what they are */
+CLI::Validator numberThat(bool (*isOk)(double), const std::string& right)
+{
+  return CLI::Validator(
+      [isOk, right](std::string& text)
+      {
+        double value = 0;
+        const bool ok = !text.empty() && CLI::detail::lexical_cast(text, value) && isOk(value);
+        return ok ? std::string() : "'" + text + "' is not valid: it must be " + right;
+      },
+      "");
+}
+
+/** Finite numbers > 0, for lengths. */
+CLI::Validator isPositive()
+{
+  return numberThat([](double value) { return std::isfinite(value) && value > 0; }, "a number > 0");
+}
+}  // namespace
+
+CLI::Validator isNotNegative()
+{
+  return numberThat([](double value) { return std::isfinite(value) && value >= 0; },
+                    "a number >= 0");
+}
+
+CLI::Validator isFinite()
+{
+  return numberThat([](double value) { return std::isfinite(value); }, "a finite number");
+}
+
+CLI::Validator isNumber()
+{
+  return numberThat([](double value) { return !std::isnan(value); }, "a number");
+}
+
+void addOutputOptions(CLI::App& app, std::string& dir, bool& json)
+{
+  app.add_option("-o,--output", dir,
+                 "folder for the results, made if needed; files appear all or none")
+      ->required()
+      ->type_name("DIR");
+  app.add_flag("--json", json, "print the summary as one JSON object");
+}
+
+void addStaticOption(CLI::App& app, bool& staticSensor)
+{
+  app.add_flag("--static", staticSensor, "the sensor of the rawlog stood still: needs no poses");
+}
+
+void addInputOptions(CLI::App& app, InputOptions& options)
+{
+  app.add_option("INPUT", options.input.file,
+                 "a .bt or .ot of OctoMap, a .simplemap, a .rawlog, or a serialized MRPT map that "
+                 "holds an octomap")
+      ->required()
+      ->type_name("");
+  addOutputOptions(app, options.outputDir, options.json);
+  app.add_option("-c,--config", options.iniFile, "options: sections [conversion], [insertion]")
+      ->type_name("FILE.ini");
+  app.add_option("--resolution", options.input.resolution,
+                 "voxel size where a voxel map is built from scans [m], default 0.1")
+      ->check(isPositive())
+      ->type_name("M");
+  addStaticOption(app, options.input.staticSensor);
+  app.add_option("--threads", options.threads, "number of threads, default 0 = all cores")
+      ->check(CLI::Range(0, 1024).description(""))
+      ->type_name("N");
+}
+
+}  // namespace mapconv

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <CLI/App.hpp>
+#include <optional>
+#include <string>
+
+#include "input/InputMap.h"
+
+namespace mapconv
+{
+/** The options that every subcommand shares that makes 2D maps of an input. */
+struct InputOptions
+{
+  InputRequest input;
+  std::string iniFile;  //!< empty: none
+  std::string outputDir;
+  int threads = 0;
+  bool json = false;
+};
+
+void addInputOptions(CLI::App& app, InputOptions& options);
+
+/** The options for where results go and how the summary is printed. */
+void addOutputOptions(CLI::App& app, std::string& dir, bool& json);
+void addStaticOption(CLI::App& app, bool& staticSensor);
+
+/** Accepts finite numbers from 0 on. */
+CLI::Validator isNotNegative();
+
+/** Accepts all finite numbers. */
+CLI::Validator isFinite();
+
+/** Accepts whatever number the parser reads but NaN. */
+CLI::Validator isNumber();
+
+}  // namespace mapconv

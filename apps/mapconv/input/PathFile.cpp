@@ -1,0 +1,149 @@
+#include "input/PathFile.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <charconv>
+#include <cmath>
+#include <fstream>
+#include <optional>
+#include <stdexcept>
+#include <system_error>
+#include <utility>
+
+#include "output/Json.h"
+
+namespace mapconv
+{
+namespace
+{
+std::string trimmed(const std::string& text)
+{
+  const auto isBlank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
+  const auto begin = std::find_if_not(text.begin(), text.end(), isBlank);
+  const auto end = std::find_if_not(text.rbegin(), text.rend(), isBlank).base();
+  return begin < end ? std::string(begin, end) : std::string();
+}
+
+/** The fields of a line, without blanks and quotation marks around them. */
+std::vector<std::string> fieldsOf(const std::string& line)
+{
+  std::vector<std::string> fields;
+  std::size_t begin = 0;
+  for (std::size_t comma = 0; comma != std::string::npos; begin = comma + 1)
+  {
+    comma = line.find(',', begin);
+    std::string field = trimmed(line.substr(begin, comma - begin));
+    if (field.size() >= 2 && field.front() == '"' && field.back() == '"')
+      field = trimmed(field.substr(1, field.size() - 2));
+    fields.push_back(field);
+  }
+  return fields;
+}
+
+/** A coordinate [m]; nothing for what is none. */
+std::optional<double> coordinateOf(const std::string& text)
+{
+  constexpr double kFarthest = 1e8;  // [m]; the Earth's girth is 4e7
+  const char* begin = text.data();
+  const char* stop = begin + text.size();
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-') ++begin;
+  double value = 0;
+  const auto [end, error] = std::from_chars(begin, stop, value);
+  if (error != std::errc() || end != stop || !(std::abs(value) <= kFarthest)) return std::nullopt;
+  return value;
+}
+
+/** Which fields of a line are x and y, and how many fields a line has. */
+struct Columns
+{
+  std::size_t x = 0, y = 1, count = 2;
+};
+
+/** The columns that a header names, in capitals or not; nothing if the line is no header. */
+std::optional<Columns> headerOf(const std::vector<std::string>& fields)
+{
+  const auto find = [&](char lower, char upper)
+  {
+    const auto it =
+        std::find_if(fields.begin(), fields.end(),
+                     [&](const std::string& field)
+                     { return field == std::string(1, lower) || field == std::string(1, upper); });
+    return static_cast<std::size_t>(it - fields.begin());
+  };
+  const Columns columns{find('x', 'X'), find('y', 'Y'), fields.size()};
+  if (columns.x == fields.size() || columns.y == fields.size()) return std::nullopt;
+  return columns;
+}
+
+/** Reads the points of a path, line by line. */
+class PathReader
+{
+ public:
+  explicit PathReader(std::string file) : m_file(std::move(file)) {}
+
+  void read(std::string line)
+  {
+    ++m_number;
+    constexpr const char* kByteOrderMark = "\xEF\xBB\xBF";
+    if (m_number == 1 && line.rfind(kByteOrderMark, 0) == 0) line.erase(0, 3);
+    line = trimmed(line);
+    if (line.empty() || line.front() == '#') return;
+    const auto fields = fieldsOf(line);
+    if (!m_columns)
+    {
+      m_columns = headerOf(fields);
+      if (m_columns) return;
+      if (fields.size() == 1 && line.find_first_of(";\t ") != std::string::npos)
+        fail(line, "must have commas between its fields");
+      if (fields.size() != 2 && fields.size() != 3)
+        fail(line, "must give x,y or x,y,z [m], or name the columns x and y");
+      m_columns = Columns{0, 1, fields.size()};
+    }
+    if (fields.size() != m_columns->count)
+      fail(line, "must have " + std::to_string(m_columns->count) + " fields between commas");
+    const auto x = coordinateOf(fields[m_columns->x]), y = coordinateOf(fields[m_columns->y]);
+    if (!x || !y) fail(line, "must give x and y [m] as numbers up to 1e8");
+    m_path.emplace_back(*x, *y);
+  }
+
+  const std::vector<mrpt::math::TPoint2D>& path() const { return m_path; }
+
+ private:
+  [[noreturn]] void fail(const std::string& line, const std::string& right) const
+  {
+    constexpr std::size_t kShown = 80;
+    throw std::runtime_error(m_file + ", line " + std::to_string(m_number) + ": '" +
+                             line.substr(0, kShown) + "' " + right);
+  }
+
+  std::string m_file;
+  std::size_t m_number = 0;
+  std::optional<Columns> m_columns;
+  std::vector<mrpt::math::TPoint2D> m_path;
+};
+}  // namespace
+
+std::vector<mrpt::math::TPoint2D> readPath2D(const std::string& file)
+{
+  std::ifstream in(file);
+  if (!in)
+    throw std::runtime_error("cannot read '" + file +
+                             "': " + std::generic_category().message(errno));
+  PathReader reader(file);
+  for (std::string line; std::getline(in, line);) reader.read(line);
+  if (in.bad()) throw std::runtime_error("cannot read '" + file + "' to its end");
+  if (reader.path().empty())
+    throw std::runtime_error(file + ": it mrpt_mapconv::eval::holds no point");
+  return reader.path();
+}
+
+std::string pathCsv(const mrpt_mapconv::path::LiftedPath& path)
+{
+  std::string text = "x,y,z\n";
+  for (const auto& point : path.points)
+    text += jsonNumber(point.position.x) + "," + jsonNumber(point.position.y) + "," +
+            jsonNumber(point.position.z) + "\n";
+  return text;
+}
+
+}  // namespace mapconv

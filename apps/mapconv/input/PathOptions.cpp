@@ -1,0 +1,133 @@
+#include "input/PathOptions.h"
+
+#include <mrpt/core/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <vector>
+
+#include "command/Command.h"
+#include "input/InputOptions.h"
+#include "output/Console.h"
+
+namespace mapconv
+{
+using namespace mrpt_mapconv;
+using freespace::Robot;
+using path::HeightRule;
+
+namespace
+{
+struct PathFigures
+{
+  double length = 0, lowest = INFINITY, highest = -INFINITY;
+  std::size_t floorAhead = 0, sphere = 0;  // points whose height the rules decided
+};
+
+PathFigures figuresOf(const path::LiftedPath& path)
+{
+  PathFigures figures;
+  for (std::size_t i = 0; i < path.points.size(); ++i)
+  {
+    const path::LiftedPoint& point = path.points[i];
+    if (i > 0) figures.length += (point.position - path.points[i - 1].position).norm();
+    figures.lowest = std::min(figures.lowest, point.position.z);
+    figures.highest = std::max(figures.highest, point.position.z);
+    ++(point.rule == HeightRule::FloorAhead ? figures.floorAhead : figures.sphere);
+  }
+  return figures;
+}
+
+void checkSafetyRadius(double radius, const PathOptions& options, double minClearance)
+{
+  if (radius > 0 && radius <= minClearance / 2) return;
+  throw UsageError(std::string(options.safetyRadius ? "--safety-radius " : "--robot-radius ") +
+                   jsonNumber(radius) + " is not valid for an aerial robot: " +
+                   "it must be > 0 and at most half of the map's minClearance = " +
+                   jsonNumber(minClearance) + " m");
+}
+
+void warnOfSphereOptions(const PathOptions& options)
+{
+  if (options.safetyRadius) printWarning("--safety-radius has no effect: a ground robot has none");
+  if (options.unknownIsPassable)
+    printWarning("--unknown-is-passable has no effect: a ground robot has no sphere");
+}
+}  // namespace
+
+void addPathOptions(CLI::App& app, PathOptions& options, const std::string& safetyDefault)
+{
+  app.add_option("DIR", options.dir, "output folder of mapconv convert")->required()->type_name("");
+  app.add_option("--robot", options.robot, "ground or aerial")
+      ->required()
+      ->check(CLI::IsMember({"ground", "aerial"}))
+      ->type_name("");
+  app.add_option("-o,--output", options.outputFile, "the file to write: columns x,y,z [m]")
+      ->required()
+      ->type_name("FILE.csv");
+  app.add_option("--height-offset", options.heightOffset,
+                 "height above the highest floor around [m], default 0 for a ground robot, half "
+                 "the map's minClearance for an aerial one")
+      ->check(isNotNegative())
+      ->type_name("M");
+  app.add_option("--lookahead", options.lookahead,
+                 "how far ahead and behind the floor is looked at, along the path [m], default 0.5")
+      ->check(isNotNegative())
+      ->type_name("M");
+  app.add_option("--safety-radius", options.safetyRadius,
+                 "of an aerial robot's sphere [m], at most half the map's minClearance, default " +
+                     safetyDefault)
+      ->check(isNotNegative())
+      ->type_name("M");
+  app.add_flag("--unknown-is-passable", options.unknownIsPassable,
+               "an aerial robot's sphere may reach into cells of which nothing is known");
+  app.add_flag("--json", options.json, "print the summary as one JSON object");
+}
+
+path::LiftParams liftParamsOf(const PathOptions& options, const MapFolder& map, double safetyRadius)
+{
+  path::LiftParams params;
+  params.robot = options.robot == "ground" ? Robot::Ground : Robot::Aerial;
+  params.safetyRadius = options.safetyRadius.value_or(safetyRadius);
+  params.heightOffset = options.heightOffset.value_or(
+      params.robot == Robot::Ground ? 0.0 : map.params().minClearance / 2);
+  params.unknownIsPassable = options.unknownIsPassable;
+  if (options.lookahead) params.lookahead = *options.lookahead;
+  if (params.robot == Robot::Aerial)
+    checkSafetyRadius(params.safetyRadius, options, map.params().minClearance);
+  else
+    warnOfSphereOptions(options);
+  return params;
+}
+
+void checkCsvName(const std::string& file)
+{
+  const std::filesystem::path path = file;
+  if (path.extension() != ".csv" || path.stem().empty())
+    throw UsageError("-o " + file + ": it must be a name that ends in .csv");
+}
+
+std::string pathText(const path::LiftedPath& path)
+{
+  const PathFigures figures = figuresOf(path);
+  std::string text =
+      mrpt::format("points       %zu, %.2f m long, z from %.2f to %.2f m\n", path.points.size(),
+                   figures.length, figures.lowest, figures.highest);
+  text += mrpt::format("heights      %zu from the floor ahead and behind, %zu from the sphere\n",
+                       figures.floorAhead, figures.sphere);
+  return text;
+}
+
+JsonObject pathJson(const path::LiftedPath& path)
+{
+  const PathFigures figures = figuresOf(path);
+  JsonObject json;
+  json.add("points", path.points.size()).add("length", figures.length);
+  json.add("zMin", figures.lowest).add("zMax", figures.highest);
+  json.add("heightsFromFloor", figures.floorAhead).add("heightsFromSphere", figures.sphere);
+  return json.add("slabsChecked", path.slabsChecked);
+}
+
+}  // namespace mapconv

@@ -1,0 +1,90 @@
+#include "input/ScanFile.h"
+
+#include <mrpt/maps/CSimpleMap.h>
+#include <mrpt/obs/CActionCollection.h>
+#include <mrpt/obs/CRawlog.h>
+#include <mrpt/obs/CSensoryFrame.h>
+#include <mrpt_mapconv/files/ObjectFile.h>
+#include <mrpt_mapconv/observation/ObservationPoints.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "output/Console.h"
+
+namespace mapconv
+{
+using namespace mrpt_mapconv;
+using mrpt::serialization::CSerializable;
+using observation::PosedObservation;
+
+namespace
+{
+bool isRawlogEntry(const CSerializable& object)
+{
+  return dynamic_cast<const mrpt::obs::CObservation*>(&object) ||
+         dynamic_cast<const mrpt::obs::CSensoryFrame*>(&object) ||
+         dynamic_cast<const mrpt::obs::CActionCollection*>(&object) ||
+         dynamic_cast<const mrpt::obs::CRawlog*>(&object);
+}
+
+std::string describe(const std::string& kind, const std::vector<PosedObservation>& scans)
+{
+  return kind + " (" + std::to_string(scans.size()) + (scans.size() == 1 ? " scan)" : " scans)");
+}
+
+/** Looks into a file whose name does not tell what it is. */
+FileKind logKindIn(const std::string& path)
+{
+  const FileKind named = kindOf(path);
+  if (named == FileKind::Octree)
+    throw std::runtime_error(path +
+                             ": eval::holds no scans, but an octree; a .rawlog or .simplemap does");
+  if (named != FileKind::Object) return named;
+  const auto object = files::ObjectFile(path).next();
+  if (!object) throw std::runtime_error(path + ": eval::holds no scans, but no object at all");
+  if (const auto kind = logKindOf(*object)) return *kind;
+  throw std::runtime_error(path + ": eval::holds no scans, but a " +
+                           object->GetRuntimeClass()->className);
+}
+}  // namespace
+
+std::optional<FileKind> logKindOf(const CSerializable& object)
+{
+  if (isRawlogEntry(object)) return FileKind::Rawlog;
+  if (dynamic_cast<const mrpt::maps::CSimpleMap*>(&object)) return FileKind::SimpleMap;
+  return std::nullopt;
+}
+
+ScanFile readScans(const std::string& path, FileKind kind, bool staticSensor)
+{
+  const ConsoleLog log;
+  ScanFile file;
+  if (kind == FileKind::Rawlog)
+  {
+    observation::RawlogOptions options;
+    options.staticSensor = staticSensor;
+    file.scans = observation::readRawlog(path, options, &log);
+    file.description = describe("rawlog", file.scans);
+    return file;
+  }
+  if (staticSensor) printWarning("--static has no effect: " + path + " is no rawlog");
+  file.scans = observation::readSimpleMap(path, &log);
+  file.description = describe("simplemap", file.scans);
+  return file;
+}
+
+ScanFile read3DScans(const std::string& path, bool staticSensor, Progress& progress)
+{
+  progress.stage("reading " + path);
+  ScanFile file = readScans(path, logKindIn(path), staticSensor);
+  const bool any =
+      std::any_of(file.scans.begin(), file.scans.end(),
+                  [](const PosedObservation& s) { return observation::is3DScan(*s.observation); });
+  if (!any)
+    throw std::runtime_error(path + ": none of its " + std::to_string(file.scans.size()) +
+                             " scans is a 3D scan");
+  return file;
+}
+
+}  // namespace mapconv

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <mrpt/serialization/CSerializable.h>
+#include <mrpt_mapconv/observation/ScanLog.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "input/InputFile.h"
+#include "output/Progress.h"
+
+namespace mapconv
+{
+/** The scans of a rawlog or simplemap. */
+struct ScanFile
+{
+  std::vector<mrpt_mapconv::observation::PosedObservation> scans;
+  std::string description;  //!< what they were read from, e.g. "rawlog (3 scans)"
+};
+
+/** Which of both an object is the (first) part of; nothing if it is no part of either. */
+std::optional<FileKind> logKindOf(const mrpt::serialization::CSerializable& object);
+
+/** Reads one or the other, warning of what is left out and of --static where it has no effect.
+ * \param kind Rawlog or SimpleMap
+ * \exception std::runtime_error in one line naming the file and what is wrong with it */
+ScanFile readScans(const std::string& path, FileKind kind, bool staticSensor);
+
+/** The same for a file of any name that has to hold 3D scans.
+ * \exception std::runtime_error likewise, also if it mrpt_mapconv::eval::holds something else or
+ * only 2D scans */
+ScanFile read3DScans(const std::string& path, bool staticSensor, Progress& progress);
+
+}  // namespace mapconv

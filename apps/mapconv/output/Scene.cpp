@@ -1,0 +1,68 @@
+#include "output/Scene.h"
+
+#include <mrpt/opengl/CGridPlaneXY.h>
+#include <mrpt/opengl/COpenGLScene.h>
+#include <mrpt_mapconv/files/ObjectWriter.h>
+#include <mrpt_mapconv/freespace/LayerScene.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace mapconv
+{
+namespace
+{
+using mrpt_mapconv::freespace::Layers;
+using mrpt_mapconv::grid::GridFrame;
+
+/** Lines on whole multiples of their distance, around the map; 1 m apart unless the map is large.
+ */
+mrpt::opengl::CGridPlaneXY::Ptr referenceGrid(const GridFrame& frame, double z)
+{
+  const double side = std::max(frame.xMax() - frame.xMin(), frame.yMax() - frame.yMin());
+  constexpr double kMostLines = 100;
+  const double step = std::max(1.0, std::pow(10.0, std::ceil(std::log10(side / kMostLines))));
+  const auto down = [step](double v)
+  { return static_cast<float>(step * std::floor(v / step - 1)); };
+  const auto up = [step](double v) { return static_cast<float>(step * std::ceil(v / step + 1)); };
+  auto plane = mrpt::opengl::CGridPlaneXY::Create(down(frame.xMin()), up(frame.xMax()),
+                                                  down(frame.yMin()), up(frame.yMax()),
+                                                  static_cast<float>(z), static_cast<float>(step));
+  plane->setColor_u8(0xA0, 0xA0, 0xA0);
+  plane->setName("grid");
+  return plane;
+}
+
+/** Looks at the map's middle from the south, from above, with all of it in view. */
+void setCamera(mrpt::opengl::COpenGLScene& scene, const GridFrame& frame, double z)
+{
+  const double width = frame.xMax() - frame.xMin(), depth = frame.yMax() - frame.yMin();
+  auto& camera = scene.getViewport()->getCamera();
+  camera.setPointingAt(mrpt::math::TPoint3D(frame.xMin() + width / 2, frame.yMin() + depth / 2, z));
+  camera.setZoomDistance(static_cast<float>(std::max(2.0, 1.1 * std::hypot(width, depth))));
+  camera.setAzimuthDegrees(-90);
+  camera.setElevationDegrees(50);
+}
+
+mrpt::opengl::COpenGLScene sceneOf(const Layers& layers)
+{
+  const double below = mrpt_mapconv::freespace::heightBelow(layers);
+  auto objects = mrpt::opengl::CSetOfObjects::Create();
+  mrpt_mapconv::freespace::drawLayers(layers, {}, *objects);
+  mrpt_mapconv::freespace::drawOccupancy(layers.ground, below, false, *objects);
+
+  mrpt::opengl::COpenGLScene scene;
+  scene.insert(referenceGrid(layers.frame(), below - layers.frame().resolution));
+  scene.insert(objects);
+  setCamera(scene, layers.frame(), below);
+  return scene;
+}
+
+}  // namespace
+
+void writeScene(const std::string& path, const Layers& layers)
+{
+  mrpt_mapconv::files::writeObject(path, sceneOf(layers));
+}
+
+}  // namespace mapconv

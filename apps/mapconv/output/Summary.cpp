@@ -1,0 +1,66 @@
+#include "output/Summary.h"
+
+#include <mrpt/core/format.h>
+#include <mrpt_mapconv/grid/OccupancyCell.h>
+
+namespace mapconv
+{
+namespace grid = mrpt_mapconv::grid;
+using grid::GridFrame;
+
+OccupancyCounts countsOf(const grid::Layer<float>& occupancy)
+{
+  OccupancyCounts counts;
+  for (const float value : occupancy.cells())
+    ++(grid::isFree(value)       ? counts.free
+       : grid::isOccupied(value) ? counts.occupied
+                                 : counts.unknown);
+  return counts;
+}
+
+std::string headText(const Job& job, const GridFrame& frame)
+{
+  std::string text = job.input + ", " + job.inputKind + " -> " + job.outputDir + "\n";
+  text += mrpt::format("cells        %zu (%d x %d) of %s m\n", frame.size(), frame.width,
+                       frame.height, jsonNumber(frame.resolution).c_str());
+  text += mrpt::format("size         %.2f x %.2f m: x %.2f to %.2f, y %.2f to %.2f\n",
+                       frame.xMax() - frame.xMin(), frame.yMax() - frame.yMin(), frame.xMin(),
+                       frame.xMax(), frame.yMin(), frame.yMax());
+  return text;
+}
+
+std::string countsText(const std::string& label, const OccupancyCounts& counts)
+{
+  const auto all = static_cast<double>(counts.free + counts.occupied + counts.unknown);
+  const auto percent = [all](std::size_t n) { return 100 * static_cast<double>(n) / all; };
+  return mrpt::format("%-12s %zu free (%.1f %%), %zu occupied (%.1f %%), %zu unknown (%.1f %%)\n",
+                      label.c_str(), counts.free, percent(counts.free), counts.occupied,
+                      percent(counts.occupied), counts.unknown, percent(counts.unknown));
+}
+
+std::string secondsText(const Seconds& seconds)
+{
+  return mrpt::format("seconds      load %.3f, %s %.3f, write %.3f\n", seconds.load,
+                      seconds.work.c_str(), seconds.convert, seconds.write);
+}
+
+JsonObject summaryJson(const Job& job, const GridFrame& frame, const OccupancyCounts& counts)
+{
+  JsonObject json;
+  json.add("input", job.input).add("inputKind", job.inputKind).add("output", job.outputDir);
+  json.add("resolution", frame.resolution).add("width", frame.width).add("height", frame.height);
+  json.add("xMin", frame.xMin()).add("xMax", frame.xMax());
+  json.add("yMin", frame.yMin()).add("yMax", frame.yMax());
+  json.add("cells", frame.size());
+  json.add("free", counts.free).add("occupied", counts.occupied).add("unknown", counts.unknown);
+  return json;
+}
+
+JsonObject secondsJson(const Seconds& seconds)
+{
+  JsonObject json;
+  json.add("load", seconds.load).add(seconds.work, seconds.convert).add("write", seconds.write);
+  return json;
+}
+
+}  // namespace mapconv

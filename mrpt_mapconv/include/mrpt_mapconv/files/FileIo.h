@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+namespace mrpt_mapconv::files
+{
+/** Writes (or overwrites) a file with these bytes and closes it.
+ * \exception std::runtime_error naming the file and the system's reason, also if the disk is full
+ */
+void writeFile(const std::string& path, std::string_view bytes);
+
+/** Makes sure that a file somebody has written and closed has reached the disk: errors that the
+ * system reports late (full disk, broken device) show here.
+ * \exception std::runtime_error naming the file and the system's reason */
+void checkWritten(const std::string& path);
+
+/** Throws the one-line error "cannot <action> '<path>': <the system's reason>".
+ * \param action such as "write"
+ * \param systemError value of errno
+ * \exception std::runtime_error always */
+[[noreturn]] void throwFileError(const std::string& action, const std::string& path,
+                                 int systemError);
+
+}  // namespace mrpt_mapconv::files

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <mrpt/poses/CPose3D.h>
+#include <mrpt/system/datetime.h>
+
+#include <cstddef>
+#include <map>
+#include <optional>
+
+namespace mrpt_mapconv::observation
+{
+/** The robot's poses over time, interpolated between the ones that are known. */
+class PoseTrack
+{
+ public:
+  /** How far outside its time span the track still answers, with its first or last pose [s]: one
+   * turn of a lidar at 10 Hz, since sensor and localization rarely start together. */
+  static constexpr double kTolerance = 0.1;
+
+  /** Adds a pose; one of the same time is replaced.
+   * \return false, and nothing added, for an invalid time or a pose that is not finite */
+  bool insert(mrpt::system::TTimeStamp time, const mrpt::poses::CPose3D& pose);
+
+  bool empty() const { return m_poses.empty(); }
+  std::size_t size() const { return m_poses.size(); }
+
+  /** The pose at a time: position linear and orientation slerp between the neighbours, however far
+   * apart they are; the first or last pose up to kTolerance outside; else nothing. */
+  std::optional<mrpt::poses::CPose3D> at(mrpt::system::TTimeStamp time) const;
+
+ private:
+  std::map<mrpt::system::TTimeStamp, mrpt::poses::CPose3D> m_poses;
+};
+
+}  // namespace mrpt_mapconv::observation

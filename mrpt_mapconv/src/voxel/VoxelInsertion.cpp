@@ -1,0 +1,138 @@
+#include <mrpt_mapconv/observation/FinitePose.h>
+#include <mrpt_mapconv/observation/PoseTrack.h>
+#include <mrpt_mapconv/voxel/OctreeSource.h>
+#include <mrpt_mapconv/voxel/VoxelInsertion.h>
+#include <octomap/OcTree.h>
+
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+
+#include "BeamVoxels.h"
+
+namespace mrpt_mapconv::voxel
+{
+namespace
+{
+constexpr std::int32_t kKeyOffset = voxel::kOctomapKeyOffset;
+
+octomap::point3d toOctomap(double x, double y, double z)
+{
+  return {static_cast<float>(x), static_cast<float>(y), static_cast<float>(z)};
+}
+
+octomap::point3d originOf(const observation::SensorPoints& scan)
+{
+  return toOctomap(scan.sensorPose.x(), scan.sensorPose.y(), scan.sensorPose.z());
+}
+
+/** Where the part of a beam that is inserted ends; nothing if that is outside the tree. */
+std::optional<octomap::OcTreeKey> endKey(const octomap::OcTree& tree,
+                                         const octomap::point3d& origin,
+                                         const octomap::point3d& end, double maxRange)
+{
+  octomap::OcTreeKey key;
+  const octomap::point3d beam = end - origin;
+  const double length = beam.norm();
+  const bool whole = maxRange <= 0 || length <= maxRange;
+  const auto last = whole ? end : origin + beam * static_cast<float>(maxRange / length);
+  if (!tree.coordToKeyChecked(last, key)) return std::nullopt;
+  return key;
+}
+
+octomap::point3d inMap(const observation::SensorPoints& scan, const mrpt::math::TPoint3Df& point)
+{
+  double x = 0, y = 0, z = 0;
+  scan.sensorPose.composePoint(point.x, point.y, point.z, x, y, z);
+  return toOctomap(x, y, z);
+}
+
+/** The sensor's key.
+ * \exception std::runtime_error if its pose is not finite or outside the tree's range */
+octomap::OcTreeKey sensorKey(const octomap::OcTree& tree, const observation::SensorPoints& scan)
+{
+  octomap::OcTreeKey key;
+  if (!observation::isFinite(scan.sensorPose) || !tree.coordToKeyChecked(originOf(scan), key))
+    throw std::runtime_error("sensor pose " + scan.sensorPose.asString() +
+                             " is not finite or outside the voxel map's range");
+  return key;
+}
+
+/** The scan's points in the map frame, without those whose beams leave the tree. */
+octomap::Pointcloud toCloud(const octomap::OcTree& tree, const observation::SensorPoints& scan,
+                            const octomap::point3d& origin, double maxRange,
+                            observation::SayOnceLog* warnings)
+{
+  octomap::Pointcloud cloud;
+  cloud.reserve(scan.points.size());
+  std::size_t outside = 0;
+  for (const auto& point : scan.points)
+  {
+    const auto end = inMap(scan, point);
+    if (endKey(tree, origin, end, maxRange))
+      cloud.push_back(end);
+    else
+      ++outside;
+  }
+  if (outside && warnings)
+    warnings->warn(std::to_string(outside) +
+                   " points left out: farther from the map's origin than " +
+                   std::to_string(kKeyOffset * tree.getResolution()) +
+                   " m, the reach of a tree of this resolution");
+  return cloud;
+}
+
+voxel::ColumnSet changedColumns(octomap::OcTree& tree)
+{
+  voxel::ColumnSet columns;
+  for (auto it = tree.changedKeysBegin(); it != tree.changedKeysEnd(); ++it)
+    columns.insert(it->first[0] - kKeyOffset, it->first[1] - kKeyOffset);
+  tree.resetChangeDetection();
+  return columns;
+}
+voxel::ColumnSet allColumns(const octomap::OcTree& tree)
+{
+  const auto box = voxel::OctreeSource<octomap::OcTree>(tree).bounds();
+  if (!box) return {};
+  return voxel::ColumnSet::of(voxel::frameOf(*box, tree.getResolution()));
+}
+}  // namespace
+
+grid::GridFrame frameOfScan(const octomap::OcTree& tree, const observation::SensorPoints& scan,
+                            const TVoxelInsertionOptions& options)
+{
+  const auto at = [&](const octomap::OcTreeKey& key) {
+    return grid::GridFrame{tree.getResolution(), key[0] - kKeyOffset, key[1] - kKeyOffset, 1, 1};
+  };
+  const auto origin = originOf(scan);
+  grid::GridFrame frame = at(sensorKey(tree, scan));
+  for (const auto& point : scan.points)
+    if (const auto key = endKey(tree, origin, inMap(scan, point), options.maxrange))
+      if (!frame.containsKey((*key)[0] - kKeyOffset, (*key)[1] - kKeyOffset))
+        frame = unite(frame, at(*key));
+  return frame;
+}
+
+voxel::ColumnSet insertScan(octomap::OcTree& tree, const observation::SensorPoints& scan,
+                            const TVoxelInsertionOptions& options,
+                            observation::SayOnceLog* warnings)
+{
+  const auto origin = originOf(scan);
+  sensorKey(tree, scan);  // checks it
+  const auto cloud = toCloud(tree, scan, origin, options.maxrange, warnings);
+
+  const BeamVoxels voxels(tree, cloud, origin, options.maxrange);
+  const float threshold = tree.getOccupancyThresLog();
+  options.applyTo(tree);
+  const bool lazy = !options.pruning;  // a lazy insertion leaves the tree unpruned
+  // what an insertion that failed half way has changed stays noted
+  tree.enableChangeDetection(true);
+  voxels.insertInto(tree, lazy);
+  if (lazy) tree.updateInnerOccupancy();
+  auto changed = changedColumns(tree);
+  // another threshold can change any voxel's state
+  if (threshold != tree.getOccupancyThresLog()) changed = allColumns(tree);
+  return changed;
+}
+
+}  // namespace mrpt_mapconv::voxel

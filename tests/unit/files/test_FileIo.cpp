@@ -1,0 +1,32 @@
+#include <mrpt_mapconv/files/FileIo.h>
+
+#include "support/TempDir.h"
+
+using namespace mrpt_mapconv::files;
+using namespace mrpt_mapconv::testing;
+
+TEST(FileIo, writesAndReplaces)
+{
+  const TempDir dir;
+  writeFile(dir.path("a"), "a longer text");
+  writeFile(dir.path("a"), std::string("\0short", 6));
+  EXPECT_EQ(readBytes(dir.path("a")), std::string("\0short", 6));
+  EXPECT_NO_THROW(checkWritten(dir.path("a")));
+}
+
+TEST(FileIo, errorsNameFileAndReason)
+{
+  const TempDir dir;
+  const auto missing = messageOf([&] { writeFile(dir.path("no/file"), "x"); });
+  EXPECT_EQ(missing, "cannot write '" + dir.path("no/file") + "': No such file or directory");
+  const auto folder = messageOf([&] { writeFile(dir.path(), "x"); });
+  EXPECT_TRUE(contains(folder, "Is a directory")) << folder;
+  EXPECT_THROW(checkWritten(dir.path("none")), std::runtime_error);
+}
+
+TEST(FileIo, noticesFullDisk)
+{
+  if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";
+  const auto message = messageOf([] { writeFile("/dev/full", "x"); });
+  EXPECT_EQ(message, "cannot write '/dev/full': No space left on device");
+}

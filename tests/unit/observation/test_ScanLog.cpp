@@ -1,0 +1,364 @@
+#include <mrpt/img/CImage.h>
+#include <mrpt/maps/CSimpleMap.h>
+#include <mrpt/maps/CSimplePointsMap.h>
+#include <mrpt/obs/CActionCollection.h>
+#include <mrpt/obs/CActionRobotMovement2D.h>
+#include <mrpt/obs/CActionRobotMovement3D.h>
+#include <mrpt/obs/CObservation2DRangeScan.h>
+#include <mrpt/obs/CObservation3DRangeScan.h>
+#include <mrpt/obs/CObservationOdometry.h>
+#include <mrpt/obs/CObservationPointCloud.h>
+#include <mrpt/obs/CObservationRange.h>
+#include <mrpt/obs/CObservationRobotPose.h>
+#include <mrpt/obs/CRawlog.h>
+#include <mrpt/obs/CSensoryFrame.h>
+#include <mrpt/poses/CPose3DPDFGaussian.h>
+#include <mrpt_mapconv/observation/ObservationPoints.h>
+#include <mrpt_mapconv/observation/ScanLog.h>
+
+#include <limits>
+
+#include "support/ScanFixtures.h"
+
+namespace mrpt_mapconv::observation
+{
+using namespace fixtures;
+using mrpt::obs::CObservation;
+using mrpt::obs::CObservationPointCloud;
+using mrpt::poses::CPose3D;
+
+namespace
+{
+mrpt::system::TTimeStamp at(double seconds) { return mrpt::Clock::fromDouble(1e9 + seconds); }
+
+CObservation::Ptr cloudAt(double seconds)
+{
+  auto scan = CObservationPointCloud::Create();
+  scan->timestamp = at(seconds);
+  scan->pointcloud = mrpt::maps::CSimplePointsMap::Create();
+  scan->pointcloud->insertPoint(1, 2, 3);
+  return scan;
+}
+
+CObservation::Ptr scan2DAt(double seconds)
+{
+  auto scan = mrpt::obs::CObservation2DRangeScan::Create();
+  scan->timestamp = at(seconds);
+  return scan;
+}
+
+CObservation::Ptr poseAt(double seconds, const CPose3D& pose, const std::string& label = "")
+{
+  auto obs = mrpt::obs::CObservationRobotPose::Create();
+  obs->timestamp = at(seconds);
+  obs->sensorLabel = label;
+  obs->pose.mean = pose;
+  return obs;
+}
+
+CObservation::Ptr odometryAt(double seconds, double x, double y, double yawDegrees)
+{
+  auto obs = mrpt::obs::CObservationOdometry::Create();
+  obs->timestamp = at(seconds);
+  obs->odometry = {x, y, mrpt::DEG2RAD(yawDegrees)};
+  return obs;
+}
+
+/** Writes a rawlog of these objects. */
+std::string rawlog(const TempDir& dir,
+                   const std::vector<mrpt::serialization::CSerializable::Ptr>& o)
+{
+  mrpt::obs::CRawlog log;
+  for (const auto& object : o) log.insert(object);
+  const std::string path = dir.file("test.rawlog");
+  EXPECT_TRUE(log.saveToRawLogFile(path));
+  return path;
+}
+
+mrpt::obs::CSensoryFrame::Ptr frame(const std::vector<CObservation::Ptr>& observations)
+{
+  auto out = mrpt::obs::CSensoryFrame::Create();
+  for (const auto& obs : observations) out->insert(obs);
+  return out;
+}
+
+mrpt::obs::CActionCollection::Ptr wheelStep(double x, double y, double yawDegrees)
+{
+  mrpt::obs::CActionRobotMovement2D move;
+  mrpt::obs::CActionRobotMovement2D::TMotionModelOptions model;
+  model.modelSelection = mrpt::obs::CActionRobotMovement2D::mmThrun;  // draws at random
+  move.computeFromOdometry({x, y, mrpt::DEG2RAD(yawDegrees)}, model);
+  auto out = mrpt::obs::CActionCollection::Create();
+  out->insert(move);
+  return out;
+}
+
+void expectPose(const CPose3D& got, double x, double y, double z, double yawDegrees)
+{
+  EXPECT_NEAR(got.x(), x, 1e-6) << got;
+  EXPECT_NEAR(got.y(), y, 1e-6) << got;
+  EXPECT_NEAR(got.z(), z, 1e-6) << got;
+  EXPECT_NEAR(got.yaw(), mrpt::DEG2RAD(yawDegrees), 1e-6) << got;
+}
+
+std::string rawlogError(const std::string& path)
+{
+  return messageOf([&path] { readRawlog(path); });
+}
+std::string simpleMapError(const std::string& path)
+{
+  return messageOf([&path] { readSimpleMap(path); });
+}
+}  // namespace
+
+TEST(Rawlog, RobotPosesComeBeforeOdometry)
+{
+  const TempDir dir;
+  const auto path =
+      rawlog(dir, {poseAt(0, {1, 2, 3, 0, 0, 0}), odometryAt(0, 50, 0, 0), cloudAt(0.25),
+                   scan2DAt(0.5), mrpt::obs::CObservationRange::Create(),
+                   poseAt(1, {5, 2, 3, mrpt::DEG2RAD(90.0), 0, 0}), odometryAt(1, 60, 0, 0)});
+  const auto scans = readRawlog(path);
+  ASSERT_EQ(scans.size(), 2u);
+  expectPose(scans[0].robotPose, 2, 2, 3, 22.5);
+  expectPose(scans[1].robotPose, 3, 2, 3, 45);
+  EXPECT_TRUE(is3DScan(*scans[0].observation));
+  EXPECT_FALSE(is3DScan(*scans[1].observation));
+}
+
+TEST(Rawlog, Odometry)
+{
+  const TempDir dir;
+  // The poses may come after the scan.
+  const auto path = rawlog(dir, {cloudAt(1.5), odometryAt(1, 0, 0, 0), odometryAt(2, 2, 4, 90)});
+  const auto scans = readRawlog(path);
+  ASSERT_EQ(scans.size(), 1u);
+  expectPose(scans[0].robotPose, 1, 2, 0, 45);
+}
+
+TEST(Rawlog, WheelIncrementsAddUp)
+{
+  const TempDir dir;
+  const auto path = rawlog(dir, {frame({cloudAt(0)}), wheelStep(1, 0, 90), frame({cloudAt(1)}),
+                                 wheelStep(2, 0, 0), frame({cloudAt(2), scan2DAt(2)})});
+  const auto scans = readRawlog(path);
+  ASSERT_EQ(scans.size(), 4u);
+  expectPose(scans[0].robotPose, 0, 0, 0, 0);
+  expectPose(scans[1].robotPose, 1, 0, 0, 90);
+  expectPose(scans[2].robotPose, 1, 2, 0, 90);
+  expectPose(scans[3].robotPose, 1, 2, 0, 90);
+}
+
+TEST(Rawlog, IncrementsIn3D)
+{
+  const TempDir dir;
+  mrpt::obs::CActionRobotMovement3D move;
+  move.estimationMethod = mrpt::obs::CActionRobotMovement3D::emVisualOdometry;
+  move.poseChange.mean = {1, 2, 3, 0, 0, 0};
+  const auto actions = mrpt::obs::CActionCollection::Create();
+  actions->insert(move);
+  const auto scans = readRawlog(rawlog(dir, {actions, actions, frame({cloudAt(0)})}));
+  ASSERT_EQ(scans.size(), 1u);
+  expectPose(scans[0].robotPose, 2, 4, 6, 0);
+}
+
+TEST(Rawlog, RobotPosesInSensoryFrames)
+{
+  const TempDir dir;
+  const auto path = rawlog(dir, {wheelStep(9, 0, 0), frame({poseAt(0, {}), cloudAt(0.5)}),
+                                 frame({poseAt(1, {2, 0, 0, 0, 0, 0})})});
+  const auto scans = readRawlog(path);
+  ASSERT_EQ(scans.size(), 1u);
+  expectPose(scans[0].robotPose, 1, 0, 0, 0);
+}
+
+TEST(Rawlog, OfSeveralSourcesTheRichestIsUsed)
+{
+  const TempDir dir;
+  const auto path = rawlog(dir, {poseAt(0, {100, 0, 0, 0, 0, 0}, "gps"), poseAt(0, {}, "slam"),
+                                 cloudAt(0.5), poseAt(1, {2, 0, 0, 0, 0, 0}, "slam")});
+  const Warnings log;
+  const auto scans = readRawlog(path, {}, &log);
+  ASSERT_EQ(scans.size(), 1u);
+  expectPose(scans[0].robotPose, 1, 0, 0, 0);
+  ASSERT_EQ(log.texts.size(), 1u);
+  EXPECT_TRUE(contains(log.texts[0], "'slam'")) << log.texts[0];
+}
+
+TEST(Rawlog, ScansOutsideThePosesAreCounted)
+{
+  const TempDir dir;
+  const auto path = rawlog(dir, {cloudAt(-5), cloudAt(-0.05), poseAt(0, {}), cloudAt(0.5),
+                                 poseAt(1, {1, 0, 0, 0, 0, 0}), cloudAt(1.05), cloudAt(9)});
+  const Warnings log;
+  const auto scans = readRawlog(path, {}, &log);
+  ASSERT_EQ(scans.size(), 3u);
+  expectPose(scans[0].robotPose, 0, 0, 0, 0);
+  expectPose(scans[1].robotPose, 0.5, 0, 0, 0);
+  expectPose(scans[2].robotPose, 1, 0, 0, 0);
+  ASSERT_EQ(log.texts.size(), 1u);
+  EXPECT_TRUE(contains(log.texts[0], "2 of 5 scans")) << log.texts[0];
+}
+
+TEST(Rawlog, NoScanWithinThePosesIsAnError)
+{
+  const TempDir dir;
+  const auto path = rawlog(dir, {poseAt(0, {}), cloudAt(5), scan2DAt(0)});
+  EXPECT_TRUE(contains(rawlogError(path), "time span")) << rawlogError(path);
+}
+
+TEST(Rawlog, PosesThatAreNoneAreCounted)
+{
+  const TempDir dir;
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto path = rawlog(dir, {poseAt(0, {}), poseAt(0.5, {nan, 0, 0, 0, 0, 0}), cloudAt(0.5),
+                                 poseAt(1, {1, 0, 0, 0, 0, 0})});
+  const Warnings log;
+  const auto scans = readRawlog(path, {}, &log);
+  ASSERT_EQ(scans.size(), 1u);
+  expectPose(scans[0].robotPose, 0.5, 0, 0, 0);
+  ASSERT_EQ(log.texts.size(), 1u);
+  EXPECT_TRUE(contains(log.texts[0], "1 poses")) << log.texts[0];
+}
+
+TEST(Rawlog, OneScanNeedsNoPose)
+{
+  const TempDir dir;
+  const Warnings log;
+  const auto scans = readRawlog(rawlog(dir, {cloudAt(0), scan2DAt(0)}), {}, &log);
+  ASSERT_EQ(scans.size(), 1u);
+  expectPose(scans[0].robotPose, 0, 0, 0, 0);
+  EXPECT_EQ(log.texts.size(), 1u);
+}
+
+TEST(Rawlog, SeveralScansNeedPosesUnlessStatic)
+{
+  const TempDir dir;
+  const auto path = rawlog(dir, {cloudAt(0), cloudAt(1)});
+  EXPECT_TRUE(contains(rawlogError(path), "2 3D scans but no robot poses")) << rawlogError(path);
+  EXPECT_EQ(readRawlog(path, {true}).size(), 2u);
+}
+
+TEST(Rawlog, StaticOverridesPoses)
+{
+  const TempDir dir;
+  const auto path = rawlog(dir, {poseAt(0, {1, 2, 3, 0, 0, 0}), cloudAt(0), cloudAt(100)});
+  const auto scans = readRawlog(path, {true});
+  ASSERT_EQ(scans.size(), 2u);
+  for (const auto& scan : scans) expectPose(scan.robotPose, 0, 0, 0, 0);
+}
+
+TEST(Rawlog, Without3DData)
+{
+  const TempDir dir;
+  const auto path = rawlog(dir, {poseAt(0, {}), scan2DAt(0)});
+  EXPECT_EQ(rawlogError(path).rfind(path + ": no 3D observations", 0), 0u) << rawlogError(path);
+  const std::string real = std::string(kMrptData) + "localization_demo.rawlog";
+  EXPECT_TRUE(contains(rawlogError(real), "no 3D observations")) << rawlogError(real);
+}
+
+TEST(Rawlog, WholeRawlogAsOneObject)
+{
+  const TempDir dir;
+  auto inner = mrpt::obs::CRawlog::Create();
+  inner->insert(cloudAt(0));
+  EXPECT_EQ(readRawlog(rawlog(dir, {inner})).size(), 1u);
+}
+
+TEST(Rawlog, TruncatedIsAnErrorAndNotHalfTheData)
+{
+  const TempDir dir;
+  const auto path = rawlog(dir, {poseAt(0, {}), cloudAt(0), cloudAt(0), cloudAt(0)});
+  const std::string whole = readBytes(path);
+  for (const std::size_t lost : {std::size_t{1}, std::size_t{9}, whole.size() / 2})
+  {
+    writeBytes(path, whole.substr(0, whole.size() - lost));
+    EXPECT_TRUE(contains(rawlogError(path), "truncated")) << rawlogError(path);
+  }
+}
+
+TEST(Rawlog, ForeignFiles)
+{
+  const TempDir dir;
+  EXPECT_TRUE(contains(rawlogError(dir.file("none.rawlog")), "no such file"));
+  writeBytes(dir.file("a.rawlog"), "hello");
+  EXPECT_TRUE(contains(rawlogError(dir.file("a.rawlog")), "no file of MRPT objects"));
+  const std::string map = std::string(kMrptData) + "localization_demo.simplemap.gz";
+  EXPECT_TRUE(contains(rawlogError(map), "CSimpleMap")) << rawlogError(map);
+}
+
+TEST(Rawlog, FindsImagesBesideTheLog)
+{
+  const TempDir dir;
+  std::filesystem::create_directory(dir.file("test_Images"));
+  auto scan = mrpt::obs::CObservation3DRangeScan::Create();
+  scan->timestamp = at(0);
+  scan->hasRangeImage = true;
+  scan->rangeImage.setConstant(1, 1, 2000);
+  scan->cameraParams.ncols = scan->cameraParams.nrows = 1;
+  scan->cameraParams.setIntrinsicParamsFromValues(1, 1, 0, 0);
+  scan->rangeImage_convertToExternalStorage("range.bin", dir.file("test_Images"));
+  const auto path = rawlog(dir, {scan});
+  mrpt::img::CImage::setImagesPathBase("/nowhere");
+  const auto scans = readRawlog(path);
+  ASSERT_EQ(scans.size(), 1u);
+  const auto got = sensorPoints(*scans[0].observation, scans[0].robotPose);
+  ASSERT_TRUE(got);
+  ASSERT_EQ(got->points.size(), 1u);
+  EXPECT_EQ(got->points[0], mrpt::math::TPoint3Df(2, 0, 0));
+}
+
+namespace
+{
+std::string simpleMap(const TempDir& dir, const std::vector<CPose3D>& poses)
+{
+  mrpt::maps::CSimpleMap map;
+  for (const auto& pose : poses)
+    map.insert(mrpt::poses::CPose3DPDFGaussian(pose),
+               *frame({cloudAt(0), mrpt::obs::CObservationRange::Create(), scan2DAt(0)}));
+  const std::string path = dir.file("test.simplemap");
+  EXPECT_TRUE(map.saveToFile(path));
+  return path;
+}
+}  // namespace
+
+TEST(SimpleMap, EveryScanOfEveryKeyframe)
+{
+  const TempDir dir;
+  const auto path = simpleMap(dir, {{1, 2, 3, 0, 0, 0}, {4, 5, 6, mrpt::DEG2RAD(90.0), 0, 0}});
+  const auto scans = readSimpleMap(path);
+  ASSERT_EQ(scans.size(), 4u);
+  expectPose(scans[0].robotPose, 1, 2, 3, 0);
+  expectPose(scans[1].robotPose, 1, 2, 3, 0);
+  expectPose(scans[3].robotPose, 4, 5, 6, 90);
+}
+
+TEST(SimpleMap, KeyframesWithoutFinitePoseAreCounted)
+{
+  const TempDir dir;
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const auto path = simpleMap(dir, {{1, 2, 3, 0, 0, 0}, {nan, 0, 0, 0, 0, 0}});
+  const Warnings log;
+  EXPECT_EQ(readSimpleMap(path, &log).size(), 2u);
+  ASSERT_EQ(log.texts.size(), 1u);
+  EXPECT_TRUE(contains(log.texts[0], "1 of 2 keyframes")) << log.texts[0];
+}
+
+TEST(SimpleMap, BadFiles)
+{
+  const TempDir dir;
+  EXPECT_TRUE(contains(simpleMapError(dir.file("none")), "no such file"));
+  const auto path = simpleMap(dir, {{}});
+  const std::string whole = readBytes(path);
+  for (const std::size_t lost : {std::size_t{1}, whole.size() / 2})
+  {
+    writeBytes(path, whole.substr(0, whole.size() - lost));
+    EXPECT_TRUE(contains(simpleMapError(path), "truncated")) << simpleMapError(path);
+  }
+  EXPECT_TRUE(contains(simpleMapError(simpleMap(dir, {})), "no scans"));
+  const auto log = rawlog(dir, {cloudAt(0)});
+  EXPECT_TRUE(
+      contains(simpleMapError(log), "no simplemap, but a mrpt::obs::CObservationPointCloud"));
+}
+
+}  // namespace mrpt_mapconv::observation
