@@ -1,9 +1,9 @@
 #include <mrpt/core/format.h>
 #include <mrpt_mapconv/files/OutputDir.h>
+#include <mrpt_mapconv/params/Text.h>
 #include <mrpt_mapconv/sim/SimulationFiles.h>
 
 #include <CLI/CLI.hpp>
-#include <charconv>
 #include <memory>
 #include <optional>
 #include <string>
@@ -30,10 +30,8 @@ struct SimulateOptions
 /** Decimal digits and nothing else: CLI11 itself takes -1 for 2^64 - 1 and 010 for 8. */
 std::uint64_t seedOf(const std::string& text)
 {
-  const char* end = text.data() + text.size();
   std::uint64_t seed = 0;
-  const auto [stop, error] = std::from_chars(text.data(), end, seed);
-  if (error != std::errc() || stop != end)
+  if (!params::readWhole(text, seed))
     throw CLI::ValidationError(
         "--seed", "'" + text + "' is not valid: it must be a whole number from 0 to 2^64 - 1");
   return seed;

@@ -1,7 +1,7 @@
 #include "input/InputFile.h"
 
-#include <algorithm>
-#include <cctype>
+#include <mrpt_mapconv/params/Text.h>
+
 #include <filesystem>
 #include <fstream>
 
@@ -9,12 +9,7 @@ namespace mapconv
 {
 namespace
 {
-std::string lowerCase(std::string text)
-{
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
+using mrpt_mapconv::params::lowerCase;
 
 std::string extensionOf(const std::filesystem::path& path)
 {

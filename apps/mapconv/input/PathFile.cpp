@@ -1,29 +1,24 @@
 #include "input/PathFile.h"
 
+#include <mrpt_mapconv/params/Text.h>
+
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <optional>
 #include <stdexcept>
-#include <system_error>
+#include <string_view>
 #include <utility>
 
 #include "output/Json.h"
 
 namespace mapconv
 {
+namespace params = mrpt_mapconv::params;
+
 namespace
 {
-std::string trimmed(const std::string& text)
-{
-  const auto isBlank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
-  const auto begin = std::find_if_not(text.begin(), text.end(), isBlank);
-  const auto end = std::find_if_not(text.rbegin(), text.rend(), isBlank).base();
-  return begin < end ? std::string(begin, end) : std::string();
-}
-
 /** The fields of a line, without blanks and quotation marks around them. */
 std::vector<std::string> fieldsOf(const std::string& line)
 {
@@ -32,9 +27,9 @@ std::vector<std::string> fieldsOf(const std::string& line)
   for (std::size_t comma = 0; comma != std::string::npos; begin = comma + 1)
   {
     comma = line.find(',', begin);
-    std::string field = trimmed(line.substr(begin, comma - begin));
+    std::string field = params::trimmed(line.substr(begin, comma - begin));
     if (field.size() >= 2 && field.front() == '"' && field.back() == '"')
-      field = trimmed(field.substr(1, field.size() - 2));
+      field = params::trimmed(field.substr(1, field.size() - 2));
     fields.push_back(field);
   }
   return fields;
@@ -44,12 +39,10 @@ std::vector<std::string> fieldsOf(const std::string& line)
 std::optional<double> coordinateOf(const std::string& text)
 {
   constexpr double kFarthest = 1e8;  // [m]; the Earth's girth is 4e7
-  const char* begin = text.data();
-  const char* stop = begin + text.size();
-  if (text.size() > 1 && text[0] == '+' && text[1] != '-') ++begin;
+  std::string_view digits = text;
+  if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-') digits.remove_prefix(1);
   double value = 0;
-  const auto [end, error] = std::from_chars(begin, stop, value);
-  if (error != std::errc() || end != stop || !(std::abs(value) <= kFarthest)) return std::nullopt;
+  if (!params::readWhole(digits, value) || !(std::abs(value) <= kFarthest)) return std::nullopt;
   return value;
 }
 
@@ -86,7 +79,7 @@ class PathReader
     ++m_number;
     constexpr const char* kByteOrderMark = "\xEF\xBB\xBF";
     if (m_number == 1 && line.rfind(kByteOrderMark, 0) == 0) line.erase(0, 3);
-    line = trimmed(line);
+    line = params::trimmed(line);
     if (line.empty() || line.front() == '#') return;
     const auto fields = fieldsOf(line);
     if (!m_columns)

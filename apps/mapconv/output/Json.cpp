@@ -1,7 +1,7 @@
 #include "output/Json.h"
 
-#include <array>
-#include <charconv>
+#include <mrpt_mapconv/params/Text.h>
+
 #include <cmath>
 #include <cstdio>
 
@@ -67,9 +67,7 @@ std::string jsonString(std::string_view text)
 std::string jsonNumber(double value)
 {
   if (!std::isfinite(value)) return "null";
-  std::array<char, 32> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-  return {digits.data(), end};
+  return mrpt_mapconv::params::shortestText(value);
 }
 
 JsonObject& JsonObject::add(const std::string& key, const std::vector<std::string>& values)

@@ -1,9 +1,9 @@
 #include <mrpt_mapconv/files/FileIo.h>
 #include <mrpt_mapconv/grid/OccupancyCell.h>
 #include <mrpt_mapconv/grid/RosMap.h>
+#include <mrpt_mapconv/params/Text.h>
 
 #include <cctype>
-#include <charconv>
 #include <stdexcept>
 
 namespace mrpt_mapconv::grid
@@ -27,13 +27,8 @@ std::string pgm(const Layer<float>& occupancy)
   return bytes;
 }
 
-/** The shortest decimal number that reads back as the same double. */
-std::string exact(double value)
-{
-  char text[32];
-  const auto end = std::to_chars(std::begin(text), std::end(text), value + 0.0).ptr;
-  return {text, end};
-}
+/** Never "-0". */
+std::string exact(double value) { return params::shortestText(value + 0.0); }
 
 /** A string as YAML takes it: as it is if it is simple, else in quotes. */
 std::string yamlString(const std::string& text)

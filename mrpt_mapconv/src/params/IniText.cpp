@@ -1,7 +1,6 @@
 #include <mrpt_mapconv/params/IniText.h>
+#include <mrpt_mapconv/params/Text.h>
 
-#include <algorithm>
-#include <cctype>
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -24,12 +23,6 @@ std::string readText(const std::string& path)
   std::ifstream file(path, std::ios::binary);
   if (!file) throw std::runtime_error(path + ": cannot be opened: " + std::strerror(errno));
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-}
-
-std::string trimmed(const std::string& text)
-{
-  const auto begin = text.find_first_not_of(" \t\r"), end = text.find_last_not_of(" \t\r");
-  return begin == std::string::npos ? std::string() : text.substr(begin, end + 1 - begin);
 }
 
 bool isComment(const std::string& line)
@@ -80,9 +73,7 @@ class TwiceCheck
   void refuseTwice(Lines& lines, std::string name, int number, const std::string& what) const
   {
     // to MRPT, [A] and [a] are the same
-    std::transform(name.begin(), name.end(), name.begin(),
-                   [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-    const auto [first, isNew] = lines.emplace(std::move(name), number);
+    const auto [first, isNew] = lines.emplace(lowerCase(std::move(name)), number);
     if (isNew) return;
     failAt(m_path, number,
            what + " is already in line " + std::to_string(first->second) +

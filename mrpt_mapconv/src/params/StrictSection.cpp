@@ -1,8 +1,8 @@
 #include <mrpt/system/COutputLogger.h>
 #include <mrpt_mapconv/params/StrictSection.h>
+#include <mrpt_mapconv/params/Text.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
@@ -14,13 +14,6 @@ namespace
 {
 bool isSpace(char c) { return c == ' ' || c == '\t' || c == '\r'; }
 
-std::string trimmed(const std::string& text)
-{
-  const auto begin = std::find_if_not(text.begin(), text.end(), isSpace);
-  const auto end = std::find_if_not(text.rbegin(), std::make_reverse_iterator(begin), isSpace);
-  return {begin, end.base()};
-}
-
 /** The value without a comment that follows it: ';', '#' or "//" at its start or after a space. */
 std::string withoutComment(const std::string& value)
 {
@@ -30,13 +23,6 @@ std::string withoutComment(const std::string& value)
     if (opens && (i == 0 || isSpace(value[i - 1]))) return value.substr(0, i);
   }
   return value;
-}
-
-std::string lowerCase(std::string text)
-{
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
 }
 
 template <class Number>
@@ -73,9 +59,7 @@ template <class Number>
 bool parse(std::string digits, Number& number)
 {
   if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-') digits.erase(0, 1);
-  const char* end = digits.data() + digits.size();
-  const auto [stop, error] = std::from_chars(digits.data(), end, number);
-  if (error != std::errc() || stop != end) return false;
+  if (!readWhole(digits, number)) return false;
   if constexpr (std::is_floating_point_v<Number>) return std::isfinite(number);
   return true;
 }

@@ -2,6 +2,7 @@
 
 #include <mrpt_mapconv/grid/CellKey.h>
 #include <mrpt_mapconv/grid/OccupancyCell.h>
+#include <mrpt_mapconv/params/Require.h>
 
 #include <algorithm>
 #include <cmath>
@@ -19,6 +20,7 @@ namespace
 using grid::GridFrame;
 using grid::Layer;
 using mrpt::math::TPoint2D;
+using params::require;
 
 std::string inMetres(const TPoint2D& p)
 {
@@ -27,26 +29,19 @@ std::string inMetres(const TPoint2D& p)
   return text.str();
 }
 
-void check(const char* name, double value, bool valid, const char* right)
-{
-  if (valid) return;
-  std::ostringstream message;
-  message << "plan: " << name << " = " << value << " is not valid: it must be " << right;
-  throw std::invalid_argument(message.str());
-}
-
 void checkInput(const Layer<float>& occupancy, const TPoint2D& start, const TPoint2D& goal,
                 double robotRadius)
 {
   const double resolution = occupancy.frame().resolution;
   if (occupancy.frame().empty()) throw std::invalid_argument("plan: the layer has no cells");
-  check("resolution", resolution, std::isfinite(resolution) && resolution > 0, "positive [m]");
-  check("start x", start.x, std::isfinite(start.x), "finite [m]");
-  check("start y", start.y, std::isfinite(start.y), "finite [m]");
-  check("goal x", goal.x, std::isfinite(goal.x), "finite [m]");
-  check("goal y", goal.y, std::isfinite(goal.y), "finite [m]");
-  check("robot radius", robotRadius, std::isfinite(robotRadius) && robotRadius >= 0,
-        "finite and not negative [m]");
+  require(std::isfinite(resolution) && resolution > 0, "plan: resolution", resolution,
+          "positive [m]");
+  require(std::isfinite(start.x), "plan: start x", start.x, "finite [m]");
+  require(std::isfinite(start.y), "plan: start y", start.y, "finite [m]");
+  require(std::isfinite(goal.x), "plan: goal x", goal.x, "finite [m]");
+  require(std::isfinite(goal.y), "plan: goal y", goal.y, "finite [m]");
+  require(std::isfinite(robotRadius) && robotRadius >= 0, "plan: robot radius", robotRadius,
+          "finite and not negative [m]");
 }
 
 bool contains(const GridFrame& frame, const TPoint2D& p)

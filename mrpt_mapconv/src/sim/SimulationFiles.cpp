@@ -9,12 +9,12 @@
 #include <mrpt_mapconv/files/ObjectStream.h>
 #include <mrpt_mapconv/grid/GeoTiff.h>
 #include <mrpt_mapconv/grid/LayerPicture.h>
+#include <mrpt_mapconv/params/Text.h>
 #include <mrpt_mapconv/sim/SimulationFiles.h>
 #include <mrpt_mapconv/sim/Truth.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <limits>
@@ -31,6 +31,9 @@ using mrpt::poses::CPose3D;
 
 namespace
 {
+/** Never "-0". */
+std::string coordinateText(double value) { return params::shortestText(value + 0.0); }
+
 constexpr double kTruthShare = 0.1;  //!< of the progress
 
 /** The poses over time, as lines of text. */
@@ -46,9 +49,9 @@ class TrajectoryFile
 
   void write(double seconds, const CPose3D& pose)
   {
-    std::string line = textOf(seconds);
+    std::string line = coordinateText(seconds);
     for (const double v : {pose.x(), pose.y(), pose.z(), pose.yaw(), pose.pitch(), pose.roll()})
-      line += "," + textOf(v);
+      line += "," + coordinateText(v);
     m_file << line << '\n';
   }
 
@@ -61,13 +64,6 @@ class TrajectoryFile
   }
 
  private:
-  /** The shortest text that is read back as the same number. */
-  static std::string textOf(double value)
-  {
-    char text[32];
-    return {text, std::to_chars(text, text + sizeof(text), value + 0.0).ptr};
-  }
-
   std::string m_path;
   std::ofstream m_file;
 };

@@ -1,4 +1,5 @@
 #include <mrpt_mapconv/grid/OccupancyCell.h>
+#include <mrpt_mapconv/params/Require.h>
 #include <mrpt_mapconv/sim/Truth.h>
 
 #include <algorithm>
@@ -18,14 +19,6 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kSlack = 1e-9;    // a value that is exactly a limit keeps it after roundings [m]
 constexpr std::size_t kSteps = 8;  // of the lattice that is laid over a cell
 constexpr double kHair = 1e-6;     // from a cell's border to the lattice's outermost points [m]
-
-void requireParameter(bool ok, const char* name, double value, const char* right)
-{
-  if (ok) return;
-  std::ostringstream message;
-  message << name << " = " << value << " is not valid: it must be " << right;
-  throw std::invalid_argument(message.str());
-}
 
 /** Where one could be on a vertical line. */
 struct Gap
@@ -215,12 +208,12 @@ bool isHitIn(const World& world, const Cell& cell, double size, double zMin, dou
 void TruthParams::check() const
 {
   const auto positive = [](double v) { return std::isfinite(v) && v > 0; };
-  requireParameter(positive(minClearance), "minClearance", minClearance, "a finite height > 0 m");
-  requireParameter(positive(robotHeight), "robotHeight", robotHeight, "a finite height > 0 m");
-  requireParameter(std::isfinite(maxSlope) && maxSlope >= 0, "maxSlope", maxSlope,
-                   "a finite slope >= 0");
-  requireParameter(std::isfinite(maxStep) && maxStep >= 0, "maxStep", maxStep,
-                   "a finite height >= 0 m");
+  params::require(positive(minClearance), "minClearance", minClearance, "a finite height > 0 m");
+  params::require(positive(robotHeight), "robotHeight", robotHeight, "a finite height > 0 m");
+  params::require(std::isfinite(maxSlope) && maxSlope >= 0, "maxSlope", maxSlope,
+                  "a finite slope >= 0");
+  params::require(std::isfinite(maxStep) && maxStep >= 0, "maxStep", maxStep,
+                  "a finite height >= 0 m");
 }
 
 grid::GridFrame frameOf(const World& world, double resolution)
@@ -230,12 +223,11 @@ grid::GridFrame frameOf(const World& world, double resolution)
   const double along = (world.max().y - world.min().y) / resolution;
   const double farthest = std::max({std::abs(world.min().x), std::abs(world.min().y),
                                     std::abs(world.max().x), std::abs(world.max().y)});
-  requireParameter(resolution > 0 && std::max(across, along) < kMostOnASide &&
-                       (across + 2) * (along + 2) <= kMostCells &&
-                       farthest / resolution < kFarthest,
-                   "resolution", resolution,
-                   "> 0 m, and so large that the world's bounds have at most 4e7 cells, 1e5 on a "
-                   "side");
+  params::require(resolution > 0 && std::max(across, along) < kMostOnASide &&
+                      (across + 2) * (along + 2) <= kMostCells && farthest / resolution < kFarthest,
+                  "resolution", resolution,
+                  "> 0 m, and so large that the world's bounds have at most 4e7 cells, 1e5 on a "
+                  "side");
   // of a cell: bounds on a cell's border do not touch the cell beyond
   constexpr double kBorder = 1e-6;
   const auto key = [](double v) { return static_cast<std::int32_t>(v); };
@@ -267,8 +259,8 @@ freespace::Layers truthLayers(const World& world, const grid::GridFrame& frame,
 grid::Layer<float> obstacleLayer(const World& world, const grid::GridFrame& frame, double zMin,
                                  double zMax, int threads)
 {
-  requireParameter(std::isfinite(zMin), "zMin", zMin, "a finite height [m]");
-  requireParameter(std::isfinite(zMax) && zMax > zMin, "zMax", zMax, "a finite height > zMin [m]");
+  params::require(std::isfinite(zMin), "zMin", zMin, "a finite height [m]");
+  params::require(std::isfinite(zMax) && zMax > zMin, "zMax", zMax, "a finite height > zMin [m]");
   grid::Layer<float> layer(frame, grid::kUnknown);
   forEachCellWithin(world, frame, threads,
                     [&](Probe& probe, const Cell& cell)

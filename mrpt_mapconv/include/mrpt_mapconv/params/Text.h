@@ -1,0 +1,37 @@
+#pragma once
+
+#include <array>
+#include <charconv>
+#include <string>
+#include <string_view>
+#include <system_error>
+
+namespace mrpt_mapconv::params
+{
+/** The shortest text that reads back as the same number, whatever the locale. */
+template <class Number>
+std::string shortestText(Number value)
+{
+  std::array<char, 32> text{};
+  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
+  return {text.data(), end};
+}
+
+/** Reads a text that is a number from its first to its last character, whatever the locale.
+ * \return false, and the number as it was, for any other text */
+template <class Number>
+bool readWhole(std::string_view text, Number& number)
+{
+  Number read{};
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), read);
+  if (error != std::errc() || stop != text.data() + text.size()) return false;
+  number = read;
+  return true;
+}
+
+/** Without the blanks, tabs and carriage returns around it. */
+std::string trimmed(std::string_view text);
+/** ASCII letters made small. */
+std::string lowerCase(std::string text);
+
+}  // namespace mrpt_mapconv::params

@@ -1,0 +1,23 @@
+#include <mrpt_mapconv/params/Text.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace mrpt_mapconv::params
+{
+std::string trimmed(std::string_view text)
+{
+  constexpr std::string_view blanks = " \t\r";
+  const auto begin = text.find_first_not_of(blanks);
+  if (begin == std::string_view::npos) return {};
+  return std::string(text.substr(begin, text.find_last_not_of(blanks) + 1 - begin));
+}
+
+std::string lowerCase(std::string text)
+{
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return text;
+}
+
+}  // namespace mrpt_mapconv::params
