@@ -1,11 +1,9 @@
 #include <mrpt/core/format.h>
 #include <mrpt_mapconv/files/ObjectWriter.h>
 #include <mrpt_mapconv/files/OutputDir.h>
-#include <mrpt_mapconv/grid/GeoTiff.h>
 #include <mrpt_mapconv/grid/GridMap.h>
-#include <mrpt_mapconv/grid/LayerPicture.h>
+#include <mrpt_mapconv/grid/LayerExport.h>
 #include <mrpt_mapconv/grid/OccupancyCell.h>
-#include <mrpt_mapconv/grid/RosMap.h>
 #include <mrpt_mapconv/params/Require.h>
 
 #include <CLI/CLI.hpp>
@@ -44,7 +42,7 @@ struct Result
   grid::Layer<float> occupancy, probability;  //!< on the same frame
 };
 
-/** The smallest frame that eval::holds all cells that are known. */
+/** The smallest frame that holds all cells that are known. */
 grid::GridFrame knownFrame(const grid::Layer<float>& occupancy)
 {
   const grid::GridFrame& all = occupancy.frame();
@@ -126,11 +124,10 @@ void writeGrid(const std::string& path, const CScanShapeGridMap2D& map,
   files::writeObject(path, plain);
 }
 
-grid::PictureStyle styleOf(const scan::ProfileParams& params)
+std::string titleOf(const scan::ProfileParams& params)
 {
-  return {"Occupancy between z = " + jsonNumber(params.objectMinZ) + " m and " +
-              jsonNumber(params.objectMaxZ) + " m, from 3D scans",
-          "", grid::PictureKind::Occupancy};
+  return "Occupancy between z = " + jsonNumber(params.objectMinZ) + " m and " +
+         jsonNumber(params.objectMaxZ) + " m, from 3D scans";
 }
 
 void writeOutputs(const Result& map, const ScanInserter& inserter, const std::string& dir,
@@ -139,11 +136,13 @@ void writeOutputs(const Result& map, const ScanInserter& inserter, const std::st
   progress.stage("writing to " + dir);
   files::OutputDir out(dir);
   const auto watch = interruptible.watch(out);
-  grid::writeGeoTiff(out.path("map.tif"), {{"occupancy", &map.probability}});
+  grid::ExportFormats formats;
+  formats.pictures = formats.rosMaps = true;
+  const auto title = titleOf(inserter.settings().insertion.profile);
+  grid::exportLayers(out, {{"occupancy", &map.probability}}, {"map.tif"});
+  grid::exportLayers(out, {{"map", &map.occupancy, title, "", grid::LayerKind::Occupancy}},
+                     formats);
   writeGrid(out.path("map.gridmap"), inserter.map(), map.occupancy);
-  grid::writeRosMap(out.path("map.pgm"), out.path("map.yaml"), "map.pgm", map.occupancy);
-  grid::writeLayerPng(out.path("map.png"), map.occupancy,
-                      styleOf(inserter.settings().insertion.profile));
   interruptible.commit();
 }
 

@@ -1,28 +1,14 @@
 #include <mrpt_mapconv/freespace/LayerFiles.h>
-#include <mrpt_mapconv/grid/GeoTiff.h>
-#include <mrpt_mapconv/grid/LayerPicture.h>
 
 #include <array>
 #include <charconv>
 #include <stdexcept>
 #include <utility>
-#include <vector>
 
 namespace mrpt_mapconv::freespace
 {
 namespace
 {
-grid::PictureStyle styleOf(const std::string& name)
-{
-  using Kind = grid::PictureKind;
-  if (name == "floor") return {"Floor: bottom of the lowest free range", "m", Kind::Height};
-  if (name == "ceiling") return {"Ceiling: top of the highest free range", "m", Kind::Height};
-  if (name == "slope") return {"Slope of the floor", "m/m", Kind::Slope};
-  if (name == "aerial") return {"Occupancy for an aerial robot", "", Kind::Occupancy};
-  if (name == "ground") return {"Occupancy for a ground robot", "", Kind::Occupancy};
-  throw std::invalid_argument("there is no layer '" + name + "'");
-}
-
 /** The shortest text that reads back as the same number. */
 template <class Number>
 std::string textOf(Number value)
@@ -61,17 +47,19 @@ class ParamsReader
 };
 }  // namespace
 
+grid::Metadata metadataOf(const freespace::ConversionParams& params)
+{
+  return {{"minClearance", textOf(params.minClearance)},
+          {"minOccupancy", textOf(params.minOccupancy)},
+          {"slopeWindow", textOf(params.slopeWindow)},
+          {"maxSlope", textOf(params.maxSlope)},
+          {"maxStep", textOf(params.maxStep)}};
+}
+
 void writeLayersTiff(const std::string& path, const freespace::Layers& layers,
                      const freespace::ConversionParams& params)
 {
-  std::vector<grid::NamedLayer> bands;
-  for (const auto& [name, layer] : layers.named()) bands.push_back({name, layer});
-  grid::writeGeoTiff(path, bands,
-                     {{"minClearance", textOf(params.minClearance)},
-                      {"minOccupancy", textOf(params.minOccupancy)},
-                      {"slopeWindow", textOf(params.slopeWindow)},
-                      {"maxSlope", textOf(params.maxSlope)},
-                      {"maxStep", textOf(params.maxStep)}});
+  grid::writeGeoTiff(path, layers.styled(), metadataOf(params));
 }
 
 LayersFile readLayersTiff(const std::string& path)
@@ -91,22 +79,9 @@ LayersFile readLayersTiff(const std::string& path)
   {
     throw std::runtime_error("cannot read '" + path + "': its " + error.what());
   }
-  auto& layers = file.layers;
-  layers.floor = grid::readGeoTiffBand(path, "floor");
-  layers.ceiling = grid::readGeoTiffBand(path, "ceiling");
-  layers.slope = grid::readGeoTiffBand(path, "slope");
-  layers.aerial = grid::readGeoTiffBand(path, "aerial");
-  layers.ground = grid::readGeoTiffBand(path, "ground");
+  for (const auto& entry : Layers::list())
+    file.layers.*entry.member = grid::readGeoTiffBand(path, entry.name);
   return file;
-}
-
-void writeLayerPicture(const std::string& path, const freespace::Layers& layers,
-                       const std::string& name)
-{
-  const auto style = styleOf(name);
-  for (const auto& [layerName, layer] : layers.named())
-    if (layerName == name)
-      grid::writeLayerPng(path, *layer, style, name == "ground" ? &layers.aerial : nullptr);
 }
 
 }  // namespace mrpt_mapconv::freespace

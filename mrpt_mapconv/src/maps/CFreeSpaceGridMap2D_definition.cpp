@@ -1,8 +1,6 @@
 #include <mrpt/config/CConfigFileBase.h>
 #include <mrpt_mapconv/maps/CFreeSpaceGridMap2D.h>
-#include <mrpt_mapconv/maps/GridLikelihoodOptions.h>
-
-#include "MapSections.h"
+#include <mrpt_mapconv/maps/MapDefinition.h>
 
 IMPLEMENTS_SERIALIZABLE(CFreeSpaceGridMap2D, COccupancyGridMap2D, mrpt_mapconv)
 
@@ -13,24 +11,17 @@ MAP_DEFINITION_REGISTER("mrpt_mapconv::CFreeSpaceGridMap2D,freeSpaceGrid",
 
 namespace mrpt_mapconv
 {
-namespace
-{
-const std::vector<std::string> kSections{"_creationOpts", "_insertOpts", "_conversionOpts",
-                                         "_likelihoodOpts"};
-}  // namespace
-
 CFreeSpaceGridMap2D::TMapDefinition::TMapDefinition() = default;
 
 void CFreeSpaceGridMap2D::TMapDefinition::loadFromConfigFile_map_specific(
     const mrpt::config::CConfigFileBase& source, const std::string& sectionNamePrefix)
 {
-  params::StrictSection creation(source, sectionNamePrefix + kSections[0]);
-  maps::readCreationOptions(creation, resolution, genericMapParams);
-  creation.warnUnknown();
-  insertionOpts.loadFromConfigFile(source, sectionNamePrefix + kSections[1]);
-  conversionOpts.loadFromConfigFile(source, sectionNamePrefix + kSections[2]);
-  maps::loadGridLikelihoodOptions(source, sectionNamePrefix + kSections[3], likelihoodOpts);
-  maps::warnUnknownSections(source, sectionNamePrefix, kSections);
+  maps::DefinitionSections ini(source, sectionNamePrefix);
+  ini.readCreation(resolution, genericMapParams);
+  insertionOpts.loadFromConfigFile(source, ini.name("_insertOpts"));
+  conversionOpts.loadFromConfigFile(source, ini.name("_conversionOpts"));
+  ini.readLikelihood(likelihoodOpts);
+  ini.warnUnknown();
 }
 
 void CFreeSpaceGridMap2D::TMapDefinition::dumpToTextStream_map_specific(std::ostream& out) const
