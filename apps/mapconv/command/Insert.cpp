@@ -5,6 +5,7 @@
 #include <mrpt_mapconv/grid/LayerExport.h>
 #include <mrpt_mapconv/grid/OccupancyCell.h>
 #include <mrpt_mapconv/params/Require.h>
+#include <mrpt_mapconv/scan/ProfileSummary.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -153,7 +154,7 @@ std::string textSummary(const Job& job, const Result& map, const ScanInserter& i
   const InsertionFigures& figures = inserter.figures();
   std::string text = headText(job, map.occupancy.frame());
   text += countsText("map", countsOf(map.occupancy));
-  text += "model        " + settingsText(params) + "\n";
+  text += "model        " + scan::summaryOf(params) + "\n";
   const std::string changed = changedText(inserter.settings());
   if (!changed.empty()) text += "not default  " + changed + "\n";
   text += mrpt::format("inserted     %zu 3D scans with %zu points, %zu 2D scans\n", figures.scans3D,

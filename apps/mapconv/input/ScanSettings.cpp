@@ -231,22 +231,4 @@ std::string changedText(const ScanSettings& settings)
   return text;
 }
 
-JsonObject settingsJson(const scan::ProfileParams& params)
-{
-  JsonObject json;
-  visitProfile(params, [&json](const char* key, const auto& value) { json.add(key, value); });
-  return json;
-}
-
-std::string settingsText(const scan::ProfileParams& params)
-{
-  const auto range = [](double low, double high)
-  { return jsonNumber(low) + " to " + jsonNumber(high) + " m"; };
-  return scan::nameOf(params.model) + ", objects from " +
-         range(params.objectMinZ, params.objectMaxZ) +
-         (params.reflectionFilter
-              ? ", walls from " + range(params.structureMinZ, params.structureMaxZ)
-              : std::string(", no reflection filter"));
-}
-
 }  // namespace mapconv

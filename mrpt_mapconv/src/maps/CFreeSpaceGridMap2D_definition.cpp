@@ -37,6 +37,7 @@ mrpt::maps::CMetricMap* CFreeSpaceGridMap2D::internal_CreateFromMapDefinition(
 {
   const auto& def = dynamic_cast<const TMapDefinition&>(definition);
   auto map = std::make_unique<CFreeSpaceGridMap2D>(def.resolution);
+  map->warnings().rememberWith(def.said);
   map->voxelInsertionOptions = def.insertionOpts;
   map->setConversionOptions(def.conversionOpts);
   map->likelihoodOptions = def.likelihoodOpts;

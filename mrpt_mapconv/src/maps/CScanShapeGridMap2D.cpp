@@ -1,9 +1,11 @@
+#include <mrpt/core/bits_math.h>
 #include <mrpt/obs/CObservation2DRangeScan.h>
 #include <mrpt_mapconv/maps/CScanShapeGridMap2D.h>
 #include <mrpt_mapconv/maps/MapDefinition.h>
 #include <mrpt_mapconv/observation/FinitePose.h>
 #include <mrpt_mapconv/observation/ObservationPoints.h>
 #include <mrpt_mapconv/observation/PoseTrack.h>
+#include <mrpt_mapconv/scan/ProfileSummary.h>
 
 namespace mrpt_mapconv
 {
@@ -161,6 +163,25 @@ void CScanShapeGridMap2D::report(const mrpt::obs::CObservation& obs)
 std::string CScanShapeGridMap2D::asString() const
 {
   return "Scan-shape grid map: " + Base::asString();
+}
+
+maps::SelfDescription CScanShapeGridMap2D::describe() const
+{
+  const auto& profile = scanInsertionOptions.profile;
+  const double gap = profile.structureGap;
+  return {{{"model", scan::summaryOf(profile)}},
+          "parameters",
+          {{"model", scan::nameOf(profile.model)},
+           {"objectMinZ", profile.objectMinZ},
+           {"objectMaxZ", profile.objectMaxZ},
+           {"reflectionFilter", profile.reflectionFilter},
+           {"structureMinZ", profile.structureMinZ},
+           {"structureMaxZ", profile.structureMaxZ},
+           {"minRange", profile.minRange},
+           {"maxRange", profile.maxRange},
+           {"sectors", profile.sectors},
+           {"structureGap", gap < 0 ? gap : mrpt::RAD2DEG(gap)},
+           {"structureTolerance", profile.structureTolerance}}};
 }
 
 void CScanShapeGridMap2D::getVisualizationInto(mrpt::opengl::CSetOfObjects& scene) const

@@ -1,6 +1,10 @@
+#include <mrpt/serialization/stl_serialization.h>
 #include <mrpt_mapconv/maps/GridSaving.h>
 
 #include <filesystem>
+#include <stdexcept>
+#include <utility>
+#include <vector>
 
 namespace mrpt_mapconv::maps
 {
@@ -51,6 +55,24 @@ void readGridOptions(mrpt::serialization::CArchive& in, Grid& grid)
   grid.insertionOptions = carrier.insertionOptions;
   grid.likelihoodOptions = carrier.likelihoodOptions;
   grid.genericMapParams = carrier.genericMapParams;
+}
+
+void writeLayer(mrpt::serialization::CArchive& out, const grid::Layer<float>& layer)
+{
+  const grid::GridFrame& frame = layer.frame();
+  out << frame.resolution << frame.x0 << frame.y0 << frame.width << frame.height << layer.cells();
+}
+
+void readLayer(mrpt::serialization::CArchive& in, grid::Layer<float>& layer)
+{
+  grid::GridFrame frame;
+  std::vector<float> cells;
+  in >> frame.resolution >> frame.x0 >> frame.y0 >> frame.width >> frame.height >> cells;
+  if (frame.width < 0 || frame.height < 0 || cells.size() != frame.size())
+    throw std::runtime_error("layer stream: " + std::to_string(cells.size()) + " cells for " +
+                             std::to_string(frame.width) + " x " + std::to_string(frame.height));
+  layer = grid::Layer<float>(frame, 0);
+  layer.cells() = std::move(cells);
 }
 
 }  // namespace mrpt_mapconv::maps

@@ -151,6 +151,19 @@ bool LayerGridMap2D::showCells(const voxel::ColumnSet& columns)
   return false;
 }
 
+SelfDescription LayerGridMap2D::describe() const
+{
+  SelfDescription description;
+  description.name = "layers";
+  for (const auto& layer : styledLayers())
+  {
+    const std::string unit = layer.unit.empty() ? "" : " [" + layer.unit + "]";
+    description.lines.emplace_back(layer.name, layer.title + unit);
+    description.values.emplace_back(layer.name, layer.title + unit);
+  }
+  return description;
+}
+
 void LayerGridMap2D::getVisualizationInto(mrpt::opengl::CSetOfObjects& scene) const
 {
   if (genericMapParams.enableSaveAs3DObject && !shownLayer().frame().empty()) drawLayers(scene);

@@ -23,8 +23,14 @@ namespace mrpt_mapconv
  * have changed; the grid that this map *is* always shows the layer for the configured robot, so
  * MRPT's likelihoods, ICP, planners and viewers use it as any other COccupancyGridMap2D. Its frame
  * is that of layers(), whose cells lie on voxel columns. What its cells say, which observations
- * count, and what happens when MRPT resizes it: see maps::LayerGridMap2D. Scans are skipped that
- * have no usable point; that of a 2D scanner counts unless insert2D is false.
+ * count, and what happens when MRPT resizes it: see maps::LayerGridMap2D. 2D scans count unless
+ * insert2D is false.
+ *
+ * insertionTimes() has, beside "insert", its parts "insert.voxels" and "insert.layers" [s], and as
+ * user measures "insert.columns", how many columns have changed, and "insert.laidOut", 1 if all
+ * layers had to be laid out anew for it, else 0. rbpf-slam copies its particles' maps whenever it
+ * resamples: there the saved file begins at the last copy. Beside the layers, on the exact bounding
+ * box of the known voxels, the voxel map is saved as PREFIX.ot.
  *
  * In an ini file, with any prefix that MRPT gives:
  * \code
@@ -81,13 +87,6 @@ class CFreeSpaceGridMap2D : public maps::LayerGridMap2D
   void loadVoxelMap(const std::string& file);
 
   std::vector<grid::StyledLayer> styledLayers() const override { return layers().styled(); }
-  /* insertionTimes(): beside "insert" its parts "insert.voxels" and "insert.layers" [s], and as
-   * user measures "insert.columns", how many columns have changed, and "insert.laidOut", 1 if all
-   * layers had to be laid out anew for it, else 0. rbpf-slam copies its particles' maps whenever it
-   * resamples: there the saved file begins at the last copy.
-   *
-   * saveMetricMapRepresentationToFile(): all layers, on their exact bounding box, as
-   * PREFIX_layers.tif and PREFIX_<layer>.png, and the voxel map as PREFIX.ot. */
   std::string asString() const override;
 
  protected:
@@ -117,6 +116,7 @@ class CFreeSpaceGridMap2D : public maps::LayerGridMap2D
   mrpt_mapconv::voxel::TVoxelInsertionOptions insertionOpts;
   mrpt_mapconv::freespace::TConversionOptions conversionOpts;
   mrpt::maps::COccupancyGridMap2D::TLikelihoodOptions likelihoodOpts;
+  mrpt_mapconv::observation::SayOnceLog said;  //!< by all maps made of it, e.g. one per particle
   MAP_DEFINITION_END(CFreeSpaceGridMap2D)
 };
 

@@ -3,6 +3,7 @@
 #include <mrpt/maps/COccupancyGridMap2D.h>
 #include <mrpt_mapconv/grid/Layer.h>
 #include <mrpt_mapconv/maps/MapLog.h>
+#include <mrpt_mapconv/maps/SelfDescription.h>
 #include <mrpt_mapconv/scan/ScanInsertionOptions.h>
 #include <mrpt_mapconv/scan/ScanProfile.h>
 
@@ -47,7 +48,7 @@ namespace mrpt_mapconv
  * likelihoodMethod = lmLikelihoodField_Thrun   // see COccupancyGridMap2D::TLikelihoodOptions
  * \endcode
  */
-class CScanShapeGridMap2D : public mrpt::maps::COccupancyGridMap2D
+class CScanShapeGridMap2D : public mrpt::maps::COccupancyGridMap2D, public maps::SelfDescribing
 {
   DEFINE_SERIALIZABLE(CScanShapeGridMap2D, mrpt_mapconv)
 
@@ -84,6 +85,8 @@ class CScanShapeGridMap2D : public mrpt::maps::COccupancyGridMap2D
   void getVisualizationInto(mrpt::opengl::CSetOfObjects& scene) const override;
   void saveMetricMapRepresentationToFile(const std::string& prefix) const override;
   std::string asString() const override;
+  /** How 3D scans are seen: scanInsertionOptions.profile. */
+  maps::SelfDescription describe() const override;
 
   /** Where warnings go, what was found in the first 3D scan (not in that of a map that was read
    * from a stream with something in it) and, at level DEBUG, in each. */

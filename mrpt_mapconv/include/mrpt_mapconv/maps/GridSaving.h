@@ -3,6 +3,7 @@
 #include <mrpt/maps/COccupancyGridMap2D.h>
 #include <mrpt/serialization/CArchive.h>
 #include <mrpt_mapconv/files/OutputDir.h>
+#include <mrpt_mapconv/grid/Layer.h>
 
 #include <functional>
 #include <string>
@@ -27,5 +28,10 @@ void readOmittedOptions(mrpt::serialization::CArchive& in, mrpt::maps::COccupanc
 void writeGridOptions(mrpt::serialization::CArchive& out,
                       const mrpt::maps::COccupancyGridMap2D& grid);
 void readGridOptions(mrpt::serialization::CArchive& in, mrpt::maps::COccupancyGridMap2D& grid);
+
+/** A layer with its frame. */
+void writeLayer(mrpt::serialization::CArchive& out, const grid::Layer<float>& layer);
+/** \exception std::runtime_error if the stream does not hold one; the layer then stays as it was */
+void readLayer(mrpt::serialization::CArchive& in, grid::Layer<float>& layer);
 
 }  // namespace mrpt_mapconv::maps

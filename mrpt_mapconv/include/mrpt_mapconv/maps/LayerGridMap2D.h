@@ -5,6 +5,7 @@
 #include <mrpt_mapconv/grid/StyledLayer.h>
 #include <mrpt_mapconv/maps/InsertionTimes.h>
 #include <mrpt_mapconv/maps/MapLog.h>
+#include <mrpt_mapconv/maps/SelfDescription.h>
 #include <mrpt_mapconv/observation/ObservationPoints.h>
 #include <mrpt_mapconv/voxel/ColumnSet.h>
 
@@ -32,11 +33,14 @@ namespace mrpt_mapconv::maps
  * until then. While nothing is known the grid is left alone; it may hold what the filter has
  * averaged into it.
  */
-class LayerGridMap2D : public mrpt::maps::COccupancyGridMap2D
+class LayerGridMap2D : public mrpt::maps::COccupancyGridMap2D, public SelfDescribing
 {
  public:
   /** All layers in the order of export, on one frame; valid until the map changes. */
   virtual std::vector<grid::StyledLayer> styledLayers() const = 0;
+
+  /** The layers, with titles and units. */
+  SelfDescription describe() const override;
 
   /** The size of a cell [m], which the grid itself rounds to a float. */
   double cellSize() const { return m_cellSize; }
