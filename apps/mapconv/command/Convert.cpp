@@ -30,49 +30,8 @@ namespace
 {
 struct ConvertOptions : InputOptions
 {
-  std::optional<double> minClearance, minOccupancy, maxSlope, maxStep;
-  std::optional<std::int32_t> slopeWindow;
+  FieldFlags<ConversionParams> flags;
 };
-
-/** A flag that sets a conversion's parameter; what is valid is asked of the library. */
-template <class Value>
-void addParameter(CLI::App& app, const std::string& flag, std::optional<Value>& value,
-                  Value ConversionParams::*member, const std::string& type,
-                  const std::string& description)
-{
-  const CLI::Validator isValid(
-      [member](std::string& text)
-      {
-        if (text.empty()) return std::string("'' is no number");
-        ConversionParams params;
-        // What is no number is left to the parser's own complaint.
-        if (!CLI::detail::lexical_cast(text, params.*member)) return std::string();
-        try
-        {
-          params.check();
-        }
-        catch (const std::invalid_argument& error)
-        {
-          return std::string(error.what());
-        }
-        return std::string();
-      },
-      "");
-  app.add_option(flag, value, description)->check(isValid)->type_name(type);
-}
-
-/** Flags win over the ini file. */
-ConversionParams parametersOf(const ConvertOptions& options, const IniOptions& ini)
-{
-  ConversionParams params = ini.conversion.params;
-  if (options.minClearance) params.minClearance = *options.minClearance;
-  if (options.minOccupancy) params.minOccupancy = *options.minOccupancy;
-  if (options.slopeWindow) params.slopeWindow = *options.slopeWindow;
-  if (options.maxSlope) params.maxSlope = *options.maxSlope;
-  if (options.maxStep) params.maxStep = *options.maxStep;
-  params.check();
-  return params;
-}
 
 void writeOutputs(const freespace::Layers& layers, const ConversionParams& params,
                   const InputMap& input, const std::string& dir, Progress& progress,
@@ -125,15 +84,6 @@ void warnAbout(const freespace::LayerStatistics& counts, const ConversionParams&
                      minStep, std::max(0.1, 1.5 * resolution)));
 }
 
-JsonObject parametersJson(const ConversionParams& params)
-{
-  JsonObject json;
-  json.add("minClearance", params.minClearance).add("minOccupancy", params.minOccupancy);
-  json.add("slopeWindow", params.slopeWindow).add("maxSlope", params.maxSlope);
-  json.add("maxStep", params.maxStep);
-  return json;
-}
-
 std::string jsonSummary(const Job& job, const freespace::Layers& layers,
                         const freespace::LayerStatistics& counts, const ConversionParams& params,
                         const Seconds& seconds)
@@ -142,7 +92,9 @@ std::string jsonSummary(const Job& job, const freespace::Layers& layers,
   JsonObject json =
       summaryJson(job, layers.frame(), {counts.free, counts.occupied, counts.unknown});
   json.add("steep", counts.steep).add("slopeUnknown", counts.slopeUnknown);
-  json.add("minStep", params.minStep(resolution)).add("parameters", parametersJson(params));
+  JsonObject parameters;
+  addFields(params, parameters);
+  json.add("minStep", params.minStep(resolution)).add("parameters", parameters);
   return json.add("seconds", secondsJson(seconds)).text() + "\n";
 }
 
@@ -167,8 +119,8 @@ int convert(const ConvertOptions& options)
 {
   Interruptible interruptible;
   ResultOutput result;
-  const IniOptions ini = options.iniFile.empty() ? IniOptions() : readIni(options.iniFile);
-  const ConversionParams params = parametersOf(options, ini);
+  const IniOptions ini = readIni(options.iniFile, options.flags);
+  const ConversionParams& params = ini.conversion.params;
   InputRequest request = options.input;
   request.insertion = ini.insertion;
   // Says now, not after minutes of reading, if nothing can be written there.
@@ -203,17 +155,7 @@ std::pair<CLI::App*, Command> addConvert(CLI::App& app)
       "Makes floor, ceiling, slope and occupancy layers of a voxel map by free-space projection");
   auto options = std::make_shared<ConvertOptions>();
   addInputOptions(*sub, *options);
-  using P = ConversionParams;
-  addParameter(*sub, "--min-clearance", options->minClearance, &P::minClearance, "M",
-               "a free range must be at least this high [m], default 1");
-  addParameter(*sub, "--min-occupancy", options->minOccupancy, &P::minOccupancy, "P",
-               "least share of a neighbour's free range that blocks, 0 to 1, default 0.5");
-  addParameter(*sub, "--slope-window", options->slopeWindow, &P::slopeWindow, "N",
-               "cells around a cell over which its slope is fitted, default 2");
-  addParameter(*sub, "--max-slope", options->maxSlope, &P::maxSlope, "S",
-               "steepest slope for a ground robot [m/m], default 2");
-  addParameter(*sub, "--max-step", options->maxStep, &P::maxStep, "M",
-               "highest step for a ground robot [m], default 0 = not looked at");
+  options->flags.addTo(*sub);
   sub->footer(
       "Example:\n"
       "  mapconv convert building.bt -o maps --min-clearance 0.5 --max-step 0.1\n"

@@ -111,7 +111,7 @@ void warnOf2D(const InsertionFigures& figures)
   printWarning(std::to_string(figures.scans2D) +
                " 2D scans were inserted as well: they free cells whose objects lie above or below "
                "them, and nothing cuts their reflections; --no-2d (or insert2D = false in section "
-               "[insertion] of an ini file) leaves them out");
+               "[scanInsertion] of an ini file) leaves them out");
 }
 
 /** As MRPT's own class, which its programs read without this library; with the map's own cells. */
@@ -226,37 +226,10 @@ int insert(const InsertOptions& options)
   return 0;
 }
 
-/** The map's own opinion on a resolution. */
-CLI::Validator isResolution()
-{
-  return CLI::Validator(
-      [](std::string& text)
-      {
-        double resolution = 0;
-        if (text.empty() || !CLI::detail::lexical_cast(text, resolution))
-          return "'" + text + "' is not valid: it must be a number";
-        try
-        {
-          static_cast<void>(CScanShapeGridMap2D(resolution));
-        }
-        catch (const std::invalid_argument& error)
-        {
-          return std::string(error.what());
-        }
-        return std::string();
-      },
-      "");
-}
-
 void addMethodOptions(CLI::App& app, ScanFlags& flags)
 {
-  app.add_option("--resolution", flags.resolution, "size of a cell [m], default 0.05")
-      ->check(isResolution())
-      ->type_name("M");
-  app.add_option("--model", flags.model,
-                 "wholeShape (all objects on an azimuth, the default) or closestPoint")
-      ->check(CLI::IsMember(scan::modelNames()))
-      ->type_name("MODEL");
+  flags.grid.addTo(app);
+  flags.profile.addTo(app);
   app.add_flag("--no-reflection-filter", flags.noReflectionFilter,
                "keep what is seen behind walls and in glass");
   app.add_option("--structure", flags.structure,
@@ -280,7 +253,7 @@ std::pair<CLI::App*, Command> addInsert(CLI::App& app)
       ->required()
       ->type_name("");
   addOutputOptions(*sub, options->outputDir, options->json);
-  sub->add_option("-c,--config", options->iniFile, "options: sections [insertion], [map]")
+  sub->add_option("-c,--config", options->iniFile, "options: sections [scanInsertion], [map]")
       ->type_name("FILE.ini");
   addMethodOptions(*sub, options->flags);
   addStaticOption(*sub, options->staticSensor);

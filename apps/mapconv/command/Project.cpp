@@ -63,7 +63,7 @@ int project(const ProjectOptions& options)
   Interruptible interruptible;
   ResultOutput result;
   InputRequest request = options.input;
-  if (!options.iniFile.empty()) request.insertion = readIni(options.iniFile).insertion;
+  request.insertion = readIni(options.iniFile).insertion;
   // Says now, not after minutes of reading, if nothing can be written there.
   static_cast<void>(files::OutputDir(options.outputDir));
 

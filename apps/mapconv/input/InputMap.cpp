@@ -5,6 +5,7 @@
 #include <mrpt_mapconv/observation/ObservationPoints.h>
 #include <mrpt_mapconv/voxel/OctreeFile.h>
 #include <mrpt_mapconv/voxel/OctreeSource.h>
+#include <mrpt_mapconv/voxel/VoxelMapParams.h>
 #include <octomap/OcTree.h>
 
 #include <stdexcept>
@@ -32,8 +33,8 @@ void warnOfUnusedOptions(const InputRequest& request, double resolution)
 std::unique_ptr<octomap::OcTree> buildTree(const std::vector<observation::PosedObservation>& scans,
                                            const InputRequest& request, Progress& progress)
 {
-  auto tree =
-      std::make_unique<octomap::OcTree>(request.resolution.value_or(InputMap::kDefaultResolution));
+  auto tree = std::make_unique<octomap::OcTree>(
+      request.resolution.value_or(voxel::VoxelMapParams().resolution));
   const ConsoleLog log;
   observation::SayOnceLog warnings(&log);
   std::size_t count = 0;

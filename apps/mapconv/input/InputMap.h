@@ -32,8 +32,6 @@ struct InputRequest
 class InputMap
 {
  public:
-  static constexpr double kDefaultResolution = 0.10;  //!< of a map that is built from scans [m]
-
   /** Warns where parts of the request or of the file have no effect.
    * \exception std::exception in one line naming the file and what is wrong with it */
   InputMap(const InputRequest& request, Progress& progress);

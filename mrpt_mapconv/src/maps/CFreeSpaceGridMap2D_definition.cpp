@@ -16,7 +16,7 @@ namespace mrpt_mapconv
 namespace
 {
 const std::vector<std::string> kSections{"_creationOpts", "_insertOpts", "_conversionOpts",
-                                         "_likelihoodOpts"};
+                                         "_likelihoodOpts", "_renderOpts"};
 }  // namespace
 
 CFreeSpaceGridMap2D::TMapDefinition::TMapDefinition() = default;
@@ -25,30 +25,38 @@ void CFreeSpaceGridMap2D::TMapDefinition::loadFromConfigFile_map_specific(
     const mrpt::config::CConfigFileBase& source, const std::string& sectionNamePrefix)
 {
   params::StrictSection creation(source, sectionNamePrefix + kSections[0]);
-  maps::readCreationOptions(creation, resolution, genericMapParams);
+  params::readFields(creation, creationOpts);
+  if (!grid::isResolution(creationOpts.resolution))
+    creation.fail("resolution", grid::kRightResolution);
+  maps::readSharedParams(creation, genericMapParams);
   creation.warnUnknown();
   insertionOpts.loadFromConfigFile(source, sectionNamePrefix + kSections[1]);
   conversionOpts.loadFromConfigFile(source, sectionNamePrefix + kSections[2]);
   maps::loadGridLikelihoodOptions(source, sectionNamePrefix + kSections[3], likelihoodOpts);
+  params::StrictSection rendering(source, sectionNamePrefix + kSections[4]);
+  params::readFields(rendering, renderOpts);
+  rendering.warnUnknown();
   maps::warnUnknownSections(source, sectionNamePrefix, kSections);
 }
 
 void CFreeSpaceGridMap2D::TMapDefinition::dumpToTextStream_map_specific(std::ostream& out) const
 {
-  LOADABLEOPTS_DUMP_VAR(resolution, double);
+  params::printFields(creationOpts, out);
   insertionOpts.dumpToTextStream(out);
   conversionOpts.dumpToTextStream(out);
   likelihoodOpts.dumpToTextStream(out);
+  params::printFields(renderOpts, out);
 }
 
 mrpt::maps::CMetricMap* CFreeSpaceGridMap2D::internal_CreateFromMapDefinition(
     const mrpt::maps::TMetricMapInitializer& definition)
 {
   const auto& def = dynamic_cast<const TMapDefinition&>(definition);
-  auto map = std::make_unique<CFreeSpaceGridMap2D>(def.resolution);
+  auto map = std::make_unique<CFreeSpaceGridMap2D>(def.creationOpts.resolution);
   map->voxelInsertionOptions = def.insertionOpts;
   map->setConversionOptions(def.conversionOpts);
   map->likelihoodOptions = def.likelihoodOpts;
+  map->renderingOptions = def.renderOpts;
   return map.release();
 }
 

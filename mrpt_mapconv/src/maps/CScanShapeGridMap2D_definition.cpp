@@ -25,13 +25,15 @@ void CScanShapeGridMap2D::TMapDefinition::loadFromConfigFile_map_specific(
     const mrpt::config::CConfigFileBase& source, const std::string& sectionNamePrefix)
 {
   params::StrictSection creation(source, sectionNamePrefix + kSections[0]);
-  maps::readCreationOptions(creation, resolution, genericMapParams);
-  creation.read("maxGridCells", maxGridCells);
-  if (maxGridCells < 1) creation.fail("maxGridCells", ">= 1");
+  params::readFields(creation, creationOpts);
+  if (!grid::isResolution(creationOpts.resolution))
+    creation.fail("resolution", grid::kRightResolution);
+  if (creationOpts.maxGridCells < 1) creation.fail("maxGridCells", ">= 1");
+  maps::readSharedParams(creation, genericMapParams);
   creation.warnUnknown();
 
   params::StrictSection insertion(source, sectionNamePrefix + kSections[1]);
-  scanInsertionOpts.readFrom(insertion, resolution);
+  scanInsertionOpts.readFrom(insertion, creationOpts.resolution);
   maps::readGridInsertionOptions(insertion, insertionOpts);
   insertion.warnUnknown();
 
@@ -41,8 +43,7 @@ void CScanShapeGridMap2D::TMapDefinition::loadFromConfigFile_map_specific(
 
 void CScanShapeGridMap2D::TMapDefinition::dumpToTextStream_map_specific(std::ostream& out) const
 {
-  LOADABLEOPTS_DUMP_VAR(resolution, double);
-  LOADABLEOPTS_DUMP_VAR(maxGridCells, double);
+  params::printFields(creationOpts, out);
   scanInsertionOpts.dumpToTextStream(out);
   insertionOpts.dumpToTextStream(out);
   likelihoodOpts.dumpToTextStream(out);
@@ -52,9 +53,9 @@ mrpt::maps::CMetricMap* CScanShapeGridMap2D::internal_CreateFromMapDefinition(
     const mrpt::maps::TMetricMapInitializer& definition)
 {
   const auto& def = dynamic_cast<const TMapDefinition&>(definition);
-  auto map = std::make_unique<CScanShapeGridMap2D>(def.resolution);
+  auto map = std::make_unique<CScanShapeGridMap2D>(def.creationOpts.resolution);
   map->m_warnings.rememberWith(def.said);
-  map->maxGridCells = def.maxGridCells;
+  map->maxGridCells = def.creationOpts.maxGridCells;
   map->scanInsertionOptions = def.scanInsertionOpts;
   map->insertionOptions = def.insertionOpts;
   map->likelihoodOptions = def.likelihoodOpts;

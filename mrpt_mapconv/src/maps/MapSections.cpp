@@ -1,31 +1,20 @@
 #include "MapSections.h"
 
 #include <mrpt/system/COutputLogger.h>
-#include <mrpt_mapconv/params/Require.h>
+#include <mrpt_mapconv/grid/Resolution.h>
 
 #include <algorithm>
 
 namespace mrpt_mapconv::maps
 {
-namespace
-{
-constexpr double kFinest = 1e-4, kCoarsest = 1e3;  // [m]; beyond that MRPT's floats fail
-constexpr const char* kRightResolution = "within [0.0001, 1000] m";
-
-bool isResolution(double resolution) { return resolution >= kFinest && resolution <= kCoarsest; }
-}  // namespace
-
 double checkedResolution(double resolution)
 {
-  params::require(isResolution(resolution), "resolution", resolution, kRightResolution);
+  grid::requireResolution(resolution);
   return resolution;
 }
 
-void readCreationOptions(params::StrictSection& ini, double& resolution,
-                         mrpt::maps::TMapGenericParams& shared)
+void readSharedParams(params::StrictSection& ini, mrpt::maps::TMapGenericParams& shared)
 {
-  ini.read("resolution", resolution);
-  if (!isResolution(resolution)) ini.fail("resolution", kRightResolution);
   ini.read("enableSaveAs3DObject", shared.enableSaveAs3DObject);
   ini.read("enableObservationLikelihood", shared.enableObservationLikelihood);
   ini.read("enableObservationInsertion", shared.enableObservationInsertion);

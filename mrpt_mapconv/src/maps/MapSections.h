@@ -13,11 +13,9 @@ namespace mrpt_mapconv::maps
  * fail */
 double checkedResolution(double resolution);
 
-/** Reads the keys of a map's creation options that all our maps have. MRPT has read the flags that
- * all maps share already, but takes "true ; why" for false.
- * \exception std::runtime_error naming section, key and value, and what would be right */
-void readCreationOptions(params::StrictSection& ini, double& resolution,
-                         mrpt::maps::TMapGenericParams& shared);
+/** Reads the flags that all of MRPT's maps share. MRPT has read them already, but takes "true ;
+ * why" for false. \exception std::runtime_error naming section, key and value */
+void readSharedParams(params::StrictSection& ini, mrpt::maps::TMapGenericParams& shared);
 
 /** Warns of sections that begin with the map's prefix, but end like none of `endings`: most likely
  * a typo. */
