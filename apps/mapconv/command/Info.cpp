@@ -52,7 +52,7 @@ int info(const InfoOptions& options)
 
 std::pair<CLI::App*, Command> addInfo(CLI::App& app)
 {
-  CLI::App* sub = app.add_subcommand("info", "Says what a file mrpt_mapconv::eval::holds");
+  CLI::App* sub = app.add_subcommand("info", "Says what a file holds");
   auto options = std::make_shared<InfoOptions>();
   sub->add_option("FILE", options->file, "an octree, rawlog, simplemap, gridmap or other MRPT map")
       ->required()

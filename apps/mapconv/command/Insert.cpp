@@ -44,7 +44,7 @@ struct Result
   grid::Layer<float> occupancy, probability;  //!< on the same frame
 };
 
-/** The smallest frame that eval::holds all cells that are known. */
+/** The smallest frame that holds all cells that are known. */
 grid::GridFrame knownFrame(const grid::Layer<float>& occupancy)
 {
   const grid::GridFrame& all = occupancy.frame();

@@ -111,7 +111,7 @@ void InputMap::readObject(const InputRequest& request, Progress& progress)
     }
     others += (others.empty() ? "a " : ", a ") + name;
   }
-  throw std::runtime_error(request.file + ": eval::holds no octomap and no scans, but " +
+  throw std::runtime_error(request.file + ": holds no octomap and no scans, but " +
                            (others.empty() ? "no object at all" : others));
 }
 
