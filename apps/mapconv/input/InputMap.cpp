@@ -2,7 +2,6 @@
 
 #include <mrpt_mapconv/files/ObjectFile.h>
 #include <mrpt_mapconv/maps/OctoMapAccess.h>
-#include <mrpt_mapconv/observation/ObservationPoints.h>
 #include <mrpt_mapconv/voxel/OctreeFile.h>
 #include <mrpt_mapconv/voxel/OctreeSource.h>
 #include <octomap/OcTree.h>
@@ -36,15 +35,8 @@ std::unique_ptr<octomap::OcTree> buildTree(const std::vector<observation::PosedO
       std::make_unique<octomap::OcTree>(request.resolution.value_or(InputMap::kDefaultResolution));
   const ConsoleLog log;
   observation::SayOnceLog warnings(&log);
-  std::size_t count = 0;
-  for (const auto& [observation, robotPose] : scans)
-  {
-    progress.done(static_cast<double>(count++) / static_cast<double>(scans.size()));
-    if (!request.insertion.insert2D && !observation::is3DScan(*observation)) continue;
-    const auto points = observation::sensorPoints(*observation, robotPose, &warnings);
-    if (points && !points->points.empty())
-      voxel::insertScan(*tree, *points, request.insertion, &warnings);
-  }
+  voxel::insertScans(*tree, scans, request.insertion, &warnings,
+                     [&](double share) { progress.done(share); });
   if (tree->size() == 0)
     throw std::runtime_error(request.file + ": none of its " + std::to_string(scans.size()) +
                              " scans has a usable point");
