@@ -2,6 +2,7 @@
 
 #include <mrpt_mapconv/files/OutputDir.h>
 
+#include <cstddef>
 #include <functional>
 #include <optional>
 #include <string>
@@ -70,14 +71,17 @@ class Job
   class Timed
   {
    public:
-    Timed(Seconds& seconds, const std::string& name) : m_seconds(seconds), m_name(name) {}
-    ~Timed() { m_seconds.emplace_back(m_name, m_watch.lap()); }
+    Timed(Seconds& seconds, const std::string& name) : m_seconds(seconds), m_index(seconds.size())
+    {
+      m_seconds.emplace_back(name, 0);
+    }
+    ~Timed() { m_seconds[m_index].second = m_watch.lap(); }
     Timed(const Timed&) = delete;
     Timed& operator=(const Timed&) = delete;
 
    private:
     Seconds& m_seconds;
-    const std::string& m_name;
+    const std::size_t m_index;
     Stopwatch m_watch;
   };
 
