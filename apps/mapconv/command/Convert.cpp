@@ -17,7 +17,7 @@
 #include "input/IniFile.h"
 #include "input/InputOptions.h"
 #include "output/Console.h"
-#include "output/Interruptible.h"
+#include "output/Job.h"
 #include "output/Scene.h"
 #include "output/Summary.h"
 
@@ -34,11 +34,8 @@ struct ConvertOptions : InputOptions
 };
 
 void writeOutputs(const freespace::Layers& layers, const ConversionParams& params,
-                  const InputMap& input, const std::string& dir, Progress& progress,
-                  Interruptible& interruptible)
+                  const InputMap& input, files::OutputDir& out, Progress& progress)
 {
-  files::OutputDir out(dir);
-  const auto watch = interruptible.watch(out);
   std::vector<std::function<void()>> jobs;
   jobs.emplace_back([&] { freespace::writeLayersTiff(out.path("layers.tif"), layers, params); });
   jobs.emplace_back([&] { voxel::writeOctreeFile(out.path("voxels.bt"), input.octree()); });
@@ -57,13 +54,11 @@ void writeOutputs(const freespace::Layers& layers, const ConversionParams& param
   }
   jobs.emplace_back([&] { writeScene(out.path("map.3Dscene"), layers); });
 
-  progress.stage("writing to " + dir);
   for (std::size_t i = 0; i < jobs.size(); ++i)
   {
     jobs[i]();
     progress.done(static_cast<double>(i + 1) / static_cast<double>(jobs.size()));
   }
-  interruptible.commit();
 }
 
 void warnAbout(const freespace::LayerStatistics& counts, const ConversionParams& params,
@@ -84,32 +79,28 @@ void warnAbout(const freespace::LayerStatistics& counts, const ConversionParams&
                      minStep, std::max(0.1, 1.5 * resolution)));
 }
 
-std::string jsonSummary(const Job& job, const freespace::Layers& layers,
-                        const freespace::LayerStatistics& counts, const ConversionParams& params,
-                        const Seconds& seconds)
+std::string jsonSummary(const SummaryHead& head, const freespace::LayerStatistics& counts,
+                        const ConversionParams& params, const Seconds& seconds)
 {
-  const double resolution = layers.frame().resolution;
-  JsonObject json =
-      summaryJson(job, layers.frame(), {counts.free, counts.occupied, counts.unknown});
+  JsonObject json = summaryJson(head, {counts.free, counts.occupied, counts.unknown});
   json.add("steep", counts.steep).add("slopeUnknown", counts.slopeUnknown);
   JsonObject parameters;
   addFields(params, parameters);
-  json.add("minStep", params.minStep(resolution)).add("parameters", parameters);
+  json.add("minStep", params.minStep(head.frame.resolution)).add("parameters", parameters);
   return json.add("seconds", secondsJson(seconds)).text() + "\n";
 }
 
-std::string textSummary(const Job& job, const freespace::Layers& layers,
-                        const freespace::LayerStatistics& counts, const ConversionParams& params,
-                        const Seconds& seconds)
+std::string textSummary(const SummaryHead& head, const freespace::LayerStatistics& counts,
+                        const ConversionParams& params, const Seconds& seconds)
 {
-  std::string text = headText(job, layers.frame());
+  std::string text = headText(head);
   text += countsText("aerial", {counts.free, counts.occupied, counts.unknown});
   text += mrpt::format(
       "ground       %zu of the free cells are too steep or too high a step (steep), "
       "%zu have no known slope (slopeUnknown)\n",
       counts.steep, counts.slopeUnknown);
   text += mrpt::format("minStep      %.2f m: lowest straight step that the slope test marks; ",
-                       params.minStep(layers.frame().resolution));
+                       params.minStep(head.frame.resolution));
   text += params.maxStep > 0 ? "maxStep marks those above " + jsonNumber(params.maxStep) + " m\n"
                              : std::string("maxStep is off\n");
   return text + secondsText(seconds);
@@ -117,33 +108,26 @@ std::string textSummary(const Job& job, const freespace::Layers& layers,
 
 int convert(const ConvertOptions& options)
 {
-  Interruptible interruptible;
-  ResultOutput result;
+  Job job;
   const IniOptions ini = readIni(options.iniFile, options.flags);
   const ConversionParams& params = ini.conversion.params;
   InputRequest request = options.input;
   request.insertion = ini.insertion;
-  // Says now, not after minutes of reading, if nothing can be written there.
-  static_cast<void>(files::OutputDir(options.outputDir));
+  job.checkOutput(options.outputDir);
 
-  Seconds seconds;
-  Stopwatch watch;
-  std::optional<Progress> progress(std::in_place);
-  const InputMap input(request, *progress);
-  seconds.load = watch.lap();
-  progress->stage("converting");
-  const freespace::Layers layers = freespace::convert(input.source(), params, options.threads);
-  seconds.convert = watch.lap();
+  const InputMap input = job.stage("load", [&] { return InputMap(request, job.progress()); });
+  const freespace::Layers layers =
+      job.stage("convert", "converting",
+                [&] { return freespace::convert(input.source(), params, options.threads); });
   const auto counts = freespace::statistics(layers);
   warnAbout(counts, params, layers.frame().resolution);
-  watch.lap();
-  writeOutputs(layers, params, input, options.outputDir, *progress, interruptible);
-  seconds.write = watch.lap();
-  progress.reset();
+  job.write(options.outputDir, [&](files::OutputDir& out)
+            { writeOutputs(layers, params, input, out, job.progress()); });
 
-  const Job job{options.input.file, input.description(), options.outputDir};
-  result.print(options.json ? jsonSummary(job, layers, counts, params, seconds)
-                            : textSummary(job, layers, counts, params, seconds));
+  const SummaryHead head{options.input.file, input.description(), options.outputDir,
+                         layers.frame()};
+  job.print(options.json ? jsonSummary(head, counts, params, job.seconds())
+                         : textSummary(head, counts, params, job.seconds()));
   return 0;
 }
 }  // namespace

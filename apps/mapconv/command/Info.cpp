@@ -10,13 +10,6 @@
 
 namespace mapconv
 {
-void InfoReport::line(const std::string& label, const std::string& text)
-{
-  constexpr std::size_t kLabelWidth = 12;
-  const std::size_t gap = label.size() < kLabelWidth ? kLabelWidth - label.size() : 0;
-  m_text += label + std::string(gap + 1, ' ') + text + "\n";
-}
-
 namespace
 {
 struct InfoOptions
@@ -52,7 +45,7 @@ int info(const InfoOptions& options)
 
 std::pair<CLI::App*, Command> addInfo(CLI::App& app)
 {
-  CLI::App* sub = app.add_subcommand("info", "Says what a file mrpt_mapconv::eval::holds");
+  CLI::App* sub = app.add_subcommand("info", "Says what a file holds");
   auto options = std::make_shared<InfoOptions>();
   sub->add_option("FILE", options->file, "an octree, rawlog, simplemap, gridmap or other MRPT map")
       ->required()

@@ -12,7 +12,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <optional>
 #include <stdexcept>
 
 #include "command/Command.h"
@@ -21,8 +20,7 @@
 #include "input/ScanInserter.h"
 #include "input/ScanSettings.h"
 #include "output/Console.h"
-#include "output/Interruptible.h"
-#include "output/Progress.h"
+#include "output/Job.h"
 #include "output/Summary.h"
 
 namespace mapconv
@@ -44,7 +42,7 @@ struct Result
   grid::Layer<float> occupancy, probability;  //!< on the same frame
 };
 
-/** The smallest frame that eval::holds all cells that are known. */
+/** The smallest frame that holds all cells that are known. */
 grid::GridFrame knownFrame(const grid::Layer<float>& occupancy)
 {
   const grid::GridFrame& all = occupancy.frame();
@@ -83,7 +81,6 @@ Result resultOf(const ScanInserter& inserter, const std::string& file)
 void insertAll(const std::vector<observation::PosedObservation>& scans, const std::string& file,
                ScanInserter& inserter, Progress& progress)
 {
-  progress.stage("inserting the scans of " + file);
   std::size_t count = 0;
   for (const auto& scan : scans)
   {
@@ -133,26 +130,21 @@ grid::PictureStyle styleOf(const scan::ProfileParams& params)
           "", grid::PictureKind::Occupancy};
 }
 
-void writeOutputs(const Result& map, const ScanInserter& inserter, const std::string& dir,
-                  Progress& progress, Interruptible& interruptible)
+void writeOutputs(const Result& map, const ScanInserter& inserter, files::OutputDir& out)
 {
-  progress.stage("writing to " + dir);
-  files::OutputDir out(dir);
-  const auto watch = interruptible.watch(out);
   grid::writeGeoTiff(out.path("map.tif"), {{"occupancy", &map.probability}});
   writeGrid(out.path("map.gridmap"), inserter.map(), map.occupancy);
   grid::writeRosMap(out.path("map.pgm"), out.path("map.yaml"), "map.pgm", map.occupancy);
   grid::writeLayerPng(out.path("map.png"), map.occupancy,
                       styleOf(inserter.settings().insertion.profile));
-  interruptible.commit();
 }
 
-std::string textSummary(const Job& job, const Result& map, const ScanInserter& inserter,
+std::string textSummary(const SummaryHead& head, const Result& map, const ScanInserter& inserter,
                         const Seconds& seconds)
 {
   const auto& params = inserter.settings().insertion.profile;
   const InsertionFigures& figures = inserter.figures();
-  std::string text = headText(job, map.occupancy.frame());
+  std::string text = headText(head);
   text += countsText("map", countsOf(map.occupancy));
   text += "model        " + settingsText(params) + "\n";
   const std::string changed = changedText(inserter.settings());
@@ -169,13 +161,13 @@ std::string textSummary(const Job& job, const Result& map, const ScanInserter& i
   return text + secondsText(seconds);
 }
 
-std::string jsonSummary(const Job& job, const Result& map, const ScanInserter& inserter,
+std::string jsonSummary(const SummaryHead& head, const Result& map, const ScanInserter& inserter,
                         const Seconds& seconds)
 {
   const InsertionFigures& figures = inserter.figures();
   JsonObject why;
   for (const auto& [kind, skipped] : figures.skipped) why.add(skipped.why, skipped.count);
-  JsonObject json = summaryJson(job, map.occupancy.frame(), countsOf(map.occupancy));
+  JsonObject json = summaryJson(head, countsOf(map.occupancy));
   json.add("parameters", settingsJson(inserter.settings()));
   json.add("scans3D", figures.scans3D).add("scans2D", figures.scans2D);
   json.add("skipped", figures.skips()).add("skippedBecause", why).add("points", figures.points);
@@ -200,29 +192,21 @@ void checkFlags(const ScanFlags& flags)
 int insert(const InsertOptions& options)
 {
   checkFlags(options.flags);
-  Interruptible interruptible;
-  ResultOutput result;
+  Job job;
   ScanInserter inserter(readScanSettings(options.iniFile, options.flags));
-  // Says now, not after minutes of reading, if nothing can be written there.
-  static_cast<void>(files::OutputDir(options.outputDir));
+  job.checkOutput(options.outputDir);
 
-  Seconds seconds;
-  seconds.work = "insert";
-  Stopwatch watch;
-  std::optional<Progress> progress(std::in_place);
-  const ScanFile file = read3DScans(options.file, options.staticSensor, *progress);
-  seconds.load = watch.lap();
-  insertAll(file.scans, options.file, inserter, *progress);
-  seconds.convert = watch.lap();
+  const ScanFile file = job.stage(
+      "load", [&] { return read3DScans(options.file, options.staticSensor, job.progress()); });
+  job.stage("insert", "inserting the scans of " + options.file,
+            [&] { insertAll(file.scans, options.file, inserter, job.progress()); });
   warnOf2D(inserter.figures());
   const Result map = resultOf(inserter, options.file);
-  writeOutputs(map, inserter, options.outputDir, *progress, interruptible);
-  seconds.write = watch.lap();
-  progress.reset();
+  job.write(options.outputDir, [&](files::OutputDir& out) { writeOutputs(map, inserter, out); });
 
-  const Job job{options.file, file.description, options.outputDir};
-  result.print(options.json ? jsonSummary(job, map, inserter, seconds)
-                            : textSummary(job, map, inserter, seconds));
+  const SummaryHead head{options.file, file.description, options.outputDir, map.occupancy.frame()};
+  job.print(options.json ? jsonSummary(head, map, inserter, job.seconds())
+                         : textSummary(head, map, inserter, job.seconds()));
   return 0;
 }
 

@@ -38,8 +38,7 @@ void putInFront(const char* variable, const std::string& word)
 void preload(const std::string& library)
 {
   if (library.find(':') != std::string::npos)
-    throw std::runtime_error("'" + library +
-                             "' cannot be preloaded: its path mrpt_mapconv::eval::holds a colon");
+    throw std::runtime_error("'" + library + "' cannot be preloaded: its path holds a colon");
   if (library.find(' ') == std::string::npos)
   {
     putInFront("LD_PRELOAD", library);

@@ -28,7 +28,7 @@ struct InputRequest
   mrpt_mapconv::voxel::TVoxelInsertionOptions insertion;  //!< how scans are inserted
 };
 
-/** The voxel map that a file mrpt_mapconv::eval::holds, or that its scans give. */
+/** The voxel map that a file holds, or that its scans give. */
 class InputMap
 {
  public:

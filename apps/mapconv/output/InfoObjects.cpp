@@ -31,7 +31,7 @@ using mrpt::serialization::CSerializable;
 
 std::string className(const CSerializable& object) { return object.GetRuntimeClass()->className; }
 
-/** Counts what a rawlog or simplemap mrpt_mapconv::eval::holds. */
+/** Counts what a rawlog or simplemap holds. */
 class LogCensus
 {
  public:
@@ -196,7 +196,7 @@ void describeObjectFile(const std::string& path, InfoReport& report)
   else if (first)
     describeObject(*first, report);
   else
-    throw std::runtime_error(path + ": mrpt_mapconv::eval::holds no object");
+    throw std::runtime_error(path + ": holds no object");
   const std::size_t undescribed = census.empty() ? others - 1 : others;
   if (undescribed > 0) report.line("others", std::to_string(undescribed) + " more objects");
 }

@@ -31,7 +31,7 @@ TEST(ScanShapeScores, APlaceIsWithinTheWorldAndHasAFreeCell)
   EXPECT_FALSE(eval::isPlaceIn({1.0, 0.0, 51.0, 0.1}, world(), truth)) << "the world ends at 50 m";
   EXPECT_FALSE(eval::isPlaceIn({60.0, 60.0, 61.0, 61.0}, world(), truth));
   EXPECT_FALSE(eval::isPlaceIn({1.26, 0.0, 1.34, 0.04}, world(), truth))
-      << "it eval::holds no cell's centre";
+      << "it holds no cell's centre";
 }
 
 }  // namespace mrpt_mapconv

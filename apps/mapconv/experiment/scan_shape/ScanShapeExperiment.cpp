@@ -63,7 +63,7 @@ std::string runText(const ScanShapeRun& run)
       100 * run.shareWithWall);
 }
 
-/** \exception std::runtime_error naming section and key of a rectangle that eval::holds no place to
+/** \exception std::runtime_error naming section and key of a rectangle that holds no place to
  * be */
 void checkRegions(const ExperimentJob& job, const sim::World& world, const ScanShapeResult& result)
 {
