@@ -82,7 +82,8 @@ TEST(CStepGridMap2D, RefusesBadIniValues)
 TEST(CStepGridMap2D, ComesBackFromAStream)
 {
   auto map = kerbMap();
-  map.insertionParams = {0.3, 5};
+  map.insertionParams.maxStep = 0.3;
+  map.insertionParams.maxRange = 5;
   map.likelihoodOptions.LF_useSquareDist = true;
   mrpt::io::CMemoryStream stream;
   auto archive = mrpt::serialization::archiveFrom(stream);

@@ -16,7 +16,7 @@
 #include "input/IniFile.h"
 #include "input/InputOptions.h"
 #include "output/Console.h"
-#include "output/Interruptible.h"
+#include "output/Job.h"
 #include "output/Scene.h"
 #include "output/Summary.h"
 
@@ -29,67 +29,20 @@ namespace
 {
 struct ConvertOptions : InputOptions
 {
-  std::optional<double> minClearance, minOccupancy, maxSlope, maxStep;
-  std::optional<std::int32_t> slopeWindow;
+  FieldFlags<ConversionParams> flags;
 };
 
-/** A flag that sets a conversion's parameter; what is valid is asked of the library. */
-template <class Value>
-void addParameter(CLI::App& app, const std::string& flag, std::optional<Value>& value,
-                  Value ConversionParams::*member, const std::string& type,
-                  const std::string& description)
-{
-  const CLI::Validator isValid(
-      [member](std::string& text)
-      {
-        if (text.empty()) return std::string("'' is no number");
-        ConversionParams params;
-        // What is no number is left to the parser's own complaint.
-        if (!CLI::detail::lexical_cast(text, params.*member)) return std::string();
-        try
-        {
-          params.check();
-        }
-        catch (const std::invalid_argument& error)
-        {
-          return std::string(error.what());
-        }
-        return std::string();
-      },
-      "");
-  app.add_option(flag, value, description)->check(isValid)->type_name(type);
-}
-
-/** Flags win over the ini file. */
-ConversionParams parametersOf(const ConvertOptions& options, const IniOptions& ini)
-{
-  ConversionParams params = ini.conversion.params;
-  if (options.minClearance) params.minClearance = *options.minClearance;
-  if (options.minOccupancy) params.minOccupancy = *options.minOccupancy;
-  if (options.slopeWindow) params.slopeWindow = *options.slopeWindow;
-  if (options.maxSlope) params.maxSlope = *options.maxSlope;
-  if (options.maxStep) params.maxStep = *options.maxStep;
-  params.check();
-  return params;
-}
-
 void writeOutputs(const freespace::Layers& layers, const ConversionParams& params,
-                  const InputMap& input, const std::string& dir, Progress& progress,
-                  Interruptible& interruptible)
+                  const InputMap& input, files::OutputDir& out, Progress& progress)
 {
-  files::OutputDir out(dir);
-  const auto watch = interruptible.watch(out);
   grid::ExportFormats formats{"layers.tif", freespace::metadataOf(params)};
   formats.pictures = formats.gridMaps = formats.rosMaps = true;
-
-  progress.stage("writing to " + dir);
   voxel::writeOctreeFile(out.path("voxels.bt"), input.octree());
   constexpr double kLayersShare = 0.9;
   grid::exportLayers(out, layers.styled(), formats,
                      [&](double share) { progress.done(kLayersShare * share); });
   writeScene(out.path("map.3Dscene"), layers);
   progress.done(1);
-  interruptible.commit();
 }
 
 void warnAbout(const freespace::LayerStatistics& counts, const ConversionParams& params,
@@ -110,39 +63,28 @@ void warnAbout(const freespace::LayerStatistics& counts, const ConversionParams&
                      minStep, std::max(0.1, 1.5 * resolution)));
 }
 
-JsonObject parametersJson(const ConversionParams& params)
+std::string jsonSummary(const SummaryHead& head, const freespace::LayerStatistics& counts,
+                        const ConversionParams& params, const Seconds& seconds)
 {
-  JsonObject json;
-  json.add("minClearance", params.minClearance).add("minOccupancy", params.minOccupancy);
-  json.add("slopeWindow", params.slopeWindow).add("maxSlope", params.maxSlope);
-  json.add("maxStep", params.maxStep);
-  return json;
-}
-
-std::string jsonSummary(const Job& job, const freespace::Layers& layers,
-                        const freespace::LayerStatistics& counts, const ConversionParams& params,
-                        const Seconds& seconds)
-{
-  const double resolution = layers.frame().resolution;
-  JsonObject json =
-      summaryJson(job, layers.frame(), {counts.free, counts.occupied, counts.unknown});
+  JsonObject json = summaryJson(head, {counts.free, counts.occupied, counts.unknown});
   json.add("steep", counts.steep).add("slopeUnknown", counts.slopeUnknown);
-  json.add("minStep", params.minStep(resolution)).add("parameters", parametersJson(params));
+  JsonObject parameters;
+  addFields(params, parameters);
+  json.add("minStep", params.minStep(head.frame.resolution)).add("parameters", parameters);
   return json.add("seconds", secondsJson(seconds)).text() + "\n";
 }
 
-std::string textSummary(const Job& job, const freespace::Layers& layers,
-                        const freespace::LayerStatistics& counts, const ConversionParams& params,
-                        const Seconds& seconds)
+std::string textSummary(const SummaryHead& head, const freespace::LayerStatistics& counts,
+                        const ConversionParams& params, const Seconds& seconds)
 {
-  std::string text = headText(job, layers.frame());
+  std::string text = headText(head);
   text += countsText("aerial", {counts.free, counts.occupied, counts.unknown});
   text += mrpt::format(
       "ground       %zu of the free cells are too steep or too high a step (steep), "
       "%zu have no known slope (slopeUnknown)\n",
       counts.steep, counts.slopeUnknown);
   text += mrpt::format("minStep      %.2f m: lowest straight step that the slope test marks; ",
-                       params.minStep(layers.frame().resolution));
+                       params.minStep(head.frame.resolution));
   text += params.maxStep > 0 ? "maxStep marks those above " + jsonNumber(params.maxStep) + " m\n"
                              : std::string("maxStep is off\n");
   return text + secondsText(seconds);
@@ -150,33 +92,26 @@ std::string textSummary(const Job& job, const freespace::Layers& layers,
 
 int convert(const ConvertOptions& options)
 {
-  Interruptible interruptible;
-  ResultOutput result;
-  const IniOptions ini = options.iniFile.empty() ? IniOptions() : readIni(options.iniFile);
-  const ConversionParams params = parametersOf(options, ini);
+  Job job;
+  const IniOptions ini = readIni(options.iniFile, options.flags);
+  const ConversionParams& params = ini.conversion.params;
   InputRequest request = options.input;
   request.insertion = ini.insertion;
-  // Says now, not after minutes of reading, if nothing can be written there.
-  static_cast<void>(files::OutputDir(options.outputDir));
+  job.checkOutput(options.outputDir);
 
-  Seconds seconds;
-  Stopwatch watch;
-  std::optional<Progress> progress(std::in_place);
-  const InputMap input(request, *progress);
-  seconds.load = watch.lap();
-  progress->stage("converting");
-  const freespace::Layers layers = freespace::convert(input.source(), params, options.threads);
-  seconds.convert = watch.lap();
+  const InputMap input = job.stage("load", [&] { return InputMap(request, job.progress()); });
+  const freespace::Layers layers =
+      job.stage("convert", "converting",
+                [&] { return freespace::convert(input.source(), params, options.threads); });
   const auto counts = freespace::statistics(layers);
   warnAbout(counts, params, layers.frame().resolution);
-  watch.lap();
-  writeOutputs(layers, params, input, options.outputDir, *progress, interruptible);
-  seconds.write = watch.lap();
-  progress.reset();
+  job.write(options.outputDir, [&](files::OutputDir& out)
+            { writeOutputs(layers, params, input, out, job.progress()); });
 
-  const Job job{options.input.file, input.description(), options.outputDir};
-  result.print(options.json ? jsonSummary(job, layers, counts, params, seconds)
-                            : textSummary(job, layers, counts, params, seconds));
+  const SummaryHead head{options.input.file, input.description(), options.outputDir,
+                         layers.frame()};
+  job.print(options.json ? jsonSummary(head, counts, params, job.seconds())
+                         : textSummary(head, counts, params, job.seconds()));
   return 0;
 }
 }  // namespace
@@ -188,17 +123,7 @@ std::pair<CLI::App*, Command> addConvert(CLI::App& app)
       "Makes floor, ceiling, slope and occupancy layers of a voxel map by free-space projection");
   auto options = std::make_shared<ConvertOptions>();
   addInputOptions(*sub, *options);
-  using P = ConversionParams;
-  addParameter(*sub, "--min-clearance", options->minClearance, &P::minClearance, "M",
-               "a free range must be at least this high [m], default 1");
-  addParameter(*sub, "--min-occupancy", options->minOccupancy, &P::minOccupancy, "P",
-               "least share of a neighbour's free range that blocks, 0 to 1, default 0.5");
-  addParameter(*sub, "--slope-window", options->slopeWindow, &P::slopeWindow, "N",
-               "cells around a cell over which its slope is fitted, default 2");
-  addParameter(*sub, "--max-slope", options->maxSlope, &P::maxSlope, "S",
-               "steepest slope for a ground robot [m/m], default 2");
-  addParameter(*sub, "--max-step", options->maxStep, &P::maxStep, "M",
-               "highest step for a ground robot [m], default 0 = not looked at");
+  options->flags.addTo(*sub);
   sub->footer(
       "Example:\n"
       "  mapconv convert building.bt -o maps --min-clearance 0.5 --max-step 0.1\n"

@@ -5,15 +5,13 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "command/Command.h"
 #include "experiment/Experiments.h"
 #include "experiment/report/Gnuplot.h"
-#include "output/Console.h"
-#include "output/Interruptible.h"
+#include "output/Job.h"
 
 namespace mapconv
 {
@@ -80,15 +78,11 @@ std::string runExperiment(const ExperimentOptions& options, files::OutputDir& ou
 
 int experiment(const ExperimentOptions& options)
 {
-  Interruptible interruptible;
-  ResultOutput result;
-  files::OutputDir out(options.outputDir);
-  const auto watch = interruptible.watch(out);
-  std::optional<Progress> progress(std::in_place);
-  const std::string text = runExperiment(options, out, *progress);
-  interruptible.commit();
-  progress.reset();
-  result.print(text);
+  Job job;
+  std::string text;
+  job.write(options.outputDir,
+            [&](files::OutputDir& out) { text = runExperiment(options, out, job.progress()); });
+  job.print(text);
   return 0;
 }
 }  // namespace

@@ -10,13 +10,6 @@
 
 namespace mapconv
 {
-void InfoReport::line(const std::string& label, const std::string& text)
-{
-  constexpr std::size_t kLabelWidth = 12;
-  const std::size_t gap = label.size() < kLabelWidth ? kLabelWidth - label.size() : 0;
-  m_text += label + std::string(gap + 1, ' ') + text + "\n";
-}
-
 namespace
 {
 struct InfoOptions

@@ -11,7 +11,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <optional>
 #include <stdexcept>
 
 #include "command/Command.h"
@@ -20,8 +19,7 @@
 #include "input/ScanInserter.h"
 #include "input/ScanSettings.h"
 #include "output/Console.h"
-#include "output/Interruptible.h"
-#include "output/Progress.h"
+#include "output/Job.h"
 #include "output/Summary.h"
 
 namespace mapconv
@@ -82,7 +80,6 @@ Result resultOf(const ScanInserter& inserter, const std::string& file)
 void insertAll(const std::vector<observation::PosedObservation>& scans, const std::string& file,
                ScanInserter& inserter, Progress& progress)
 {
-  progress.stage("inserting the scans of " + file);
   std::size_t count = 0;
   for (const auto& scan : scans)
   {
@@ -110,7 +107,7 @@ void warnOf2D(const InsertionFigures& figures)
   printWarning(std::to_string(figures.scans2D) +
                " 2D scans were inserted as well: they free cells whose objects lie above or below "
                "them, and nothing cuts their reflections; --no-2d (or insert2D = false in section "
-               "[insertion] of an ini file) leaves them out");
+               "[scanInsertion] of an ini file) leaves them out");
 }
 
 /** As MRPT's own class, which its programs read without this library; with the map's own cells. */
@@ -131,12 +128,8 @@ std::string titleOf(const scan::ProfileParams& params)
          jsonNumber(params.objectMaxZ) + " m, from 3D scans";
 }
 
-void writeOutputs(const Result& map, const ScanInserter& inserter, const std::string& dir,
-                  Progress& progress, Interruptible& interruptible)
+void writeOutputs(const Result& map, const ScanInserter& inserter, files::OutputDir& out)
 {
-  progress.stage("writing to " + dir);
-  files::OutputDir out(dir);
-  const auto watch = interruptible.watch(out);
   grid::ExportFormats formats;
   formats.pictures = formats.rosMaps = true;
   const auto title = titleOf(inserter.settings().insertion.profile);
@@ -144,15 +137,14 @@ void writeOutputs(const Result& map, const ScanInserter& inserter, const std::st
   grid::exportLayers(out, {{"map", &map.occupancy, title, "", grid::LayerKind::Occupancy}},
                      formats);
   writeGrid(out.path("map.gridmap"), inserter.map(), map.occupancy);
-  interruptible.commit();
 }
 
-std::string textSummary(const Job& job, const Result& map, const ScanInserter& inserter,
+std::string textSummary(const SummaryHead& head, const Result& map, const ScanInserter& inserter,
                         const Seconds& seconds)
 {
   const auto& params = inserter.settings().insertion.profile;
   const InsertionFigures& figures = inserter.figures();
-  std::string text = headText(job, map.occupancy.frame());
+  std::string text = headText(head);
   text += countsText("map", countsOf(map.occupancy));
   text += "model        " + scan::summaryOf(params) + "\n";
   const std::string changed = changedText(inserter.settings());
@@ -169,13 +161,13 @@ std::string textSummary(const Job& job, const Result& map, const ScanInserter& i
   return text + secondsText(seconds);
 }
 
-std::string jsonSummary(const Job& job, const Result& map, const ScanInserter& inserter,
+std::string jsonSummary(const SummaryHead& head, const Result& map, const ScanInserter& inserter,
                         const Seconds& seconds)
 {
   const InsertionFigures& figures = inserter.figures();
   JsonObject why;
   for (const auto& [kind, skipped] : figures.skipped) why.add(skipped.why, skipped.count);
-  JsonObject json = summaryJson(job, map.occupancy.frame(), countsOf(map.occupancy));
+  JsonObject json = summaryJson(head, countsOf(map.occupancy));
   json.add("parameters", settingsJson(inserter.settings()));
   json.add("scans3D", figures.scans3D).add("scans2D", figures.scans2D);
   json.add("skipped", figures.skips()).add("skippedBecause", why).add("points", figures.points);
@@ -200,63 +192,28 @@ void checkFlags(const ScanFlags& flags)
 int insert(const InsertOptions& options)
 {
   checkFlags(options.flags);
-  Interruptible interruptible;
-  ResultOutput result;
+  Job job;
   ScanInserter inserter(readScanSettings(options.iniFile, options.flags));
-  // Says now, not after minutes of reading, if nothing can be written there.
-  static_cast<void>(files::OutputDir(options.outputDir));
+  job.checkOutput(options.outputDir);
 
-  Seconds seconds;
-  seconds.work = "insert";
-  Stopwatch watch;
-  std::optional<Progress> progress(std::in_place);
-  const ScanFile file = read3DScans(options.file, options.staticSensor, *progress);
-  seconds.load = watch.lap();
-  insertAll(file.scans, options.file, inserter, *progress);
-  seconds.convert = watch.lap();
+  const ScanFile file = job.stage(
+      "load", [&] { return read3DScans(options.file, options.staticSensor, job.progress()); });
+  job.stage("insert", "inserting the scans of " + options.file,
+            [&] { insertAll(file.scans, options.file, inserter, job.progress()); });
   warnOf2D(inserter.figures());
   const Result map = resultOf(inserter, options.file);
-  writeOutputs(map, inserter, options.outputDir, *progress, interruptible);
-  seconds.write = watch.lap();
-  progress.reset();
+  job.write(options.outputDir, [&](files::OutputDir& out) { writeOutputs(map, inserter, out); });
 
-  const Job job{options.file, file.description, options.outputDir};
-  result.print(options.json ? jsonSummary(job, map, inserter, seconds)
-                            : textSummary(job, map, inserter, seconds));
+  const SummaryHead head{options.file, file.description, options.outputDir, map.occupancy.frame()};
+  job.print(options.json ? jsonSummary(head, map, inserter, job.seconds())
+                         : textSummary(head, map, inserter, job.seconds()));
   return 0;
-}
-
-/** The map's own opinion on a resolution. */
-CLI::Validator isResolution()
-{
-  return CLI::Validator(
-      [](std::string& text)
-      {
-        double resolution = 0;
-        if (text.empty() || !CLI::detail::lexical_cast(text, resolution))
-          return "'" + text + "' is not valid: it must be a number";
-        try
-        {
-          static_cast<void>(CScanShapeGridMap2D(resolution));
-        }
-        catch (const std::invalid_argument& error)
-        {
-          return std::string(error.what());
-        }
-        return std::string();
-      },
-      "");
 }
 
 void addMethodOptions(CLI::App& app, ScanFlags& flags)
 {
-  app.add_option("--resolution", flags.resolution, "size of a cell [m], default 0.05")
-      ->check(isResolution())
-      ->type_name("M");
-  app.add_option("--model", flags.model,
-                 "wholeShape (all objects on an azimuth, the default) or closestPoint")
-      ->check(CLI::IsMember(scan::modelNames()))
-      ->type_name("MODEL");
+  flags.grid.addTo(app);
+  flags.profile.addTo(app);
   app.add_flag("--no-reflection-filter", flags.noReflectionFilter,
                "keep what is seen behind walls and in glass");
   app.add_option("--structure", flags.structure,
@@ -280,7 +237,7 @@ std::pair<CLI::App*, Command> addInsert(CLI::App& app)
       ->required()
       ->type_name("");
   addOutputOptions(*sub, options->outputDir, options->json);
-  sub->add_option("-c,--config", options->iniFile, "options: sections [insertion], [map]")
+  sub->add_option("-c,--config", options->iniFile, "options: sections [scanInsertion], [map]")
       ->type_name("FILE.ini");
   addMethodOptions(*sub, options->flags);
   addStaticOption(*sub, options->staticSensor);

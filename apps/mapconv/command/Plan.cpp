@@ -14,8 +14,7 @@
 #include "input/InputOptions.h"
 #include "input/PathFile.h"
 #include "input/PathOptions.h"
-#include "output/Console.h"
-#include "output/Interruptible.h"
+#include "output/Job.h"
 #include "output/PathScene.h"
 
 namespace mapconv
@@ -40,11 +39,9 @@ std::vector<mrpt::math::TPoint2D> flat(const path::LiftedPath& path)
 
 /** The path's files lie beside each other and differ in their extension. */
 void writeOutputs(const PlanOptions& options, const MapFolder& map, const planning::RobotPath& way,
-                  Interruptible& interruptible)
+                  files::OutputDir& out)
 {
   const std::filesystem::path file = options.outputFile;
-  files::OutputDir out(file.has_parent_path() ? file.parent_path().string() : ".");
-  const auto watch = interruptible.watch(out);
   const std::string stem = file.stem().string();
   const bool ground = options.robot == "ground";
   auto picture = map.layers().styled(ground ? "ground" : "aerial");
@@ -54,14 +51,12 @@ void writeOutputs(const PlanOptions& options, const MapFolder& map, const planni
   files::writeFile(out.path(file.filename().string()), pathCsv(way.path));
   grid::writeLayerPng(out.path(stem + ".png"), picture, path);
   writePathScene(out.path(stem + ".3Dscene"), map, way.path);
-  interruptible.commit();
 }
 
 int plan(const PlanOptions& options)
 {
   checkCsvName(options.outputFile);
-  Interruptible interruptible;
-  ResultOutput result;
+  Job job;
   const MapFolder map(options.dir);
   planning::RobotPathQuery query;
   query.start = {options.from[0], options.from[1]};
@@ -70,11 +65,12 @@ int plan(const PlanOptions& options)
   query.lift = liftParamsOf(options, map, options.robotRadius);
   const auto way = planning::planRobotPath(map.layers(), map.params(), query, map.voxels());
   if (!way.found()) throw std::runtime_error(options.dir + ": no path: " + way.problem);
-  writeOutputs(options, map, way, interruptible);
+  const std::string folder = std::filesystem::path(options.outputFile).parent_path().string();
+  job.write(folder.empty() ? "." : folder,
+            [&](files::OutputDir& out) { writeOutputs(options, map, way, out); });
   JsonObject json = pathJson(way.path);
-  result.print(options.json
-                   ? json.add("output", options.outputFile).text() + "\n"
-                   : options.dir + " -> " + options.outputFile + "\n" + pathText(way.path));
+  job.print(options.json ? json.add("output", options.outputFile).text() + "\n"
+                         : options.dir + " -> " + options.outputFile + "\n" + pathText(way.path));
   return 0;
 }
 

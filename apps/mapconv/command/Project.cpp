@@ -4,13 +4,12 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
-#include <optional>
 
 #include "command/Command.h"
 #include "input/IniFile.h"
 #include "input/InputOptions.h"
 #include "output/Console.h"
-#include "output/Interruptible.h"
+#include "output/Job.h"
 #include "output/Summary.h"
 
 namespace mapconv
@@ -25,26 +24,23 @@ struct ProjectOptions : InputOptions
 };
 
 void writeOutputs(const grid::Layer<float>& layer, const ProjectOptions& options,
-                  Interruptible& interruptible)
+                  files::OutputDir& out)
 {
-  files::OutputDir out(options.outputDir);
-  const auto watch = interruptible.watch(out);
   const std::string title = "Occupancy between z = " + jsonNumber(options.zMin) + " m and " +
                             jsonNumber(options.zMax) + " m";
   grid::ExportFormats formats{"projection.tif"};
   formats.pictures = formats.gridMaps = formats.rosMaps = true;
   grid::exportLayers(out, {{"projection", &layer, title, "", grid::LayerKind::Occupancy}}, formats);
-  interruptible.commit();
 }
 
 std::string summary(const ProjectOptions& options, const InputMap& input,
                     const grid::Layer<float>& layer, const Seconds& seconds)
 {
-  const Job job{options.input.file, input.description(), options.outputDir};
+  const SummaryHead head{options.input.file, input.description(), options.outputDir, layer.frame()};
   const OccupancyCounts counts = countsOf(layer);
   if (!options.json)
-    return headText(job, layer.frame()) + countsText("projection", counts) + secondsText(seconds);
-  JsonObject json = summaryJson(job, layer.frame(), counts);
+    return headText(head) + countsText("projection", counts) + secondsText(seconds);
+  JsonObject json = summaryJson(head, counts);
   json.add("zMin", options.zMin).add("zMax", options.zMax);
   return json.add("seconds", secondsJson(seconds)).text() + "\n";
 }
@@ -54,27 +50,19 @@ int project(const ProjectOptions& options)
   if (!(options.zMin < options.zMax))
     throw UsageError("--z-min " + jsonNumber(options.zMin) + " must be below --z-max " +
                      jsonNumber(options.zMax));
-  Interruptible interruptible;
-  ResultOutput result;
+  Job job;
   InputRequest request = options.input;
-  if (!options.iniFile.empty()) request.insertion = readIni(options.iniFile).insertion;
-  // Says now, not after minutes of reading, if nothing can be written there.
-  static_cast<void>(files::OutputDir(options.outputDir));
+  request.insertion = readIni(options.iniFile).insertion;
+  job.checkOutput(options.outputDir);
 
-  Seconds seconds;
-  Stopwatch watch;
-  std::optional<Progress> progress(std::in_place);
-  const InputMap input(request, *progress);
-  seconds.load = watch.lap();
-  progress->stage("projecting");
-  const auto layer =
-      freespace::projectFixed(input.source(), options.zMin, options.zMax, options.threads);
-  seconds.convert = watch.lap();
-  progress->stage("writing to " + options.outputDir);
-  writeOutputs(layer, options, interruptible);
-  seconds.write = watch.lap();
-  progress.reset();
-  result.print(summary(options, input, layer, seconds));
+  const InputMap input = job.stage("load", [&] { return InputMap(request, job.progress()); });
+  const auto layer = job.stage("convert", "projecting",
+                               [&] {
+                                 return freespace::projectFixed(input.source(), options.zMin,
+                                                                options.zMax, options.threads);
+                               });
+  job.write(options.outputDir, [&](files::OutputDir& out) { writeOutputs(layer, options, out); });
+  job.print(summary(options, input, layer, job.seconds()));
   return 0;
 }
 }  // namespace

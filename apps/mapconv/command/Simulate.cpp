@@ -5,14 +5,11 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
-#include <optional>
 #include <string>
 
 #include "command/Command.h"
-#include "output/Console.h"
-#include "output/Interruptible.h"
+#include "output/Job.h"
 #include "output/Json.h"
-#include "output/Progress.h"
 
 namespace mapconv
 {
@@ -55,20 +52,19 @@ std::string summaryText(const SimulateOptions& options, const sim::SimulationSum
 
 int simulate(const SimulateOptions& options)
 {
-  Interruptible interruptible;
-  ResultOutput result;
-  std::optional<Progress> progress(std::in_place);
+  Job job;
   Stopwatch stopwatch;
-  progress->stage("reading " + options.worldFile);
-  const sim::Scenario scenario = sim::Scenario::load(options.worldFile);
-  files::OutputDir out(options.outputDir);
-  const auto watch = interruptible.watch(out);
-  progress->stage("simulating");
-  const auto summary =
-      sim::simulateTo(out, scenario, options.seed, [&](double share) { progress->done(share); });
-  interruptible.commit();
-  progress.reset();
-  result.print(summaryText(options, summary, stopwatch.lap()));
+  const auto scenario = job.stage("load", "reading " + options.worldFile,
+                                  [&] { return sim::Scenario::load(options.worldFile); });
+  sim::SimulationSummary summary;
+  job.write(options.outputDir,
+            [&](files::OutputDir& out)
+            {
+              job.progress().stage("simulating");
+              summary = sim::simulateTo(out, scenario, options.seed,
+                                        [&](double share) { job.progress().done(share); });
+            });
+  job.print(summaryText(options, summary, stopwatch.lap()));
   return 0;
 }
 }  // namespace

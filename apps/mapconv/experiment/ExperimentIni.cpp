@@ -1,6 +1,7 @@
 #include "experiment/ExperimentIni.h"
 
 #include <filesystem>
+#include <stdexcept>
 
 namespace mapconv
 {

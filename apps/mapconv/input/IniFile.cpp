@@ -5,76 +5,95 @@
 
 #include <algorithm>
 #include <stdexcept>
-#include <vector>
 
 #include "output/Console.h"
 
 namespace mapconv
 {
-namespace
-{
+using namespace mrpt_mapconv;
+using mrpt::config::CConfigFileBase;
 using mrpt::config::CConfigFileMemory;
 
-std::vector<std::string> keysOf(const CConfigFileMemory& ini, const std::string& section)
+namespace
 {
-  std::vector<std::string> keys;
-  ini.getAllKeys(section, keys);
-  return keys;
+const IniSection kConversion{"conversion"};
+const IniSection kVoxelInsertion{"voxelInsertion", "insertion"};
+
+std::string listOf(const std::vector<IniSection>& sections)
+{
+  std::string list;
+  for (const auto& section : sections) list += (list.empty() ? "[" : " and [") + section.name + "]";
+  return list;
 }
 
-bool contains(const std::vector<std::string>& list, const std::string& text)
+/** What is wrong with a section's name; empty if nothing is. */
+std::string complaintAbout(const std::string& name, const std::vector<IniSection>& sections,
+                           const CConfigFileBase& ini)
 {
-  return std::find(list.begin(), list.end(), text) != list.end();
+  for (const auto& section : sections)
+  {
+    if (name == section.name) return "";
+    if (name != section.oldName) continue;
+    if (nameIn(ini, section) == section.name)
+      return "section [" + name + "] has no effect beside [" + section.name +
+             "], which is its new name";
+    return "section [" + name + "] is now called [" + section.name + "]; the old name still works";
+  }
+  return "unknown section [" + name + "] has no effect; " + listOf(sections) + " do";
 }
 
-/** Reads one section into `options`; the keys that they know are those that they save. */
+/** Reads one section into `options`, which must be valid in the end. */
 template <class Options>
-void readSection(const CConfigFileMemory& ini, const std::string& section, const std::string& path,
+void readSection(const CConfigFileMemory& ini, const IniSection& name, const std::string& path,
                  Options& options)
 {
-  const std::string where = path + ": [" + section + "] unknown key '";
-  CConfigFileMemory defaults, known;
-  options.saveToConfigFile(defaults, section);
-  const auto knownKeys = keysOf(defaults, section);
-  for (const auto& key : keysOf(ini, section))
-  {
-    if (contains(knownKeys, key))
-      known.write(section, key, ini.read_string(section, key, ""));
-    else
-      printWarning(std::string(where).append(key).append("' has no effect"));
-  }
-  options.loadFromConfigFile(known, section);
+  params::StrictSection section(ini, nameIn(ini, name));
+  params::readFields(section, options);
+  section.checked([&options] { options.check(); });
+  warnUnknownKeys(section, path);
 }
 }  // namespace
 
-CConfigFileMemory openIni(const std::string& path, const std::vector<std::string>& sections)
+CConfigFileMemory openIni(const std::string& path, const std::vector<IniSection>& sections)
 {
-  CConfigFileMemory ini(mrpt_mapconv::params::readIniText(path));
-  std::string known;
-  for (const auto& section : sections) known += (known.empty() ? "[" : " and [") + section + "]";
-  const std::string unknown = path + ": unknown section [";
+  if (path.empty()) return {};
+  CConfigFileMemory ini(params::readIniText(path));
   std::vector<std::string> present;
   ini.getAllSections(present);
-  for (const auto& section : present)
-    if (!contains(sections, section))
-      printWarning(
-          std::string(unknown).append(section).append("] has no effect; " + known + " do"));
+  for (const auto& name : present)
+    if (const auto complaint = complaintAbout(name, sections, ini); !complaint.empty())
+      printWarning(std::string(path).append(": ").append(complaint));
   if (present.empty()) printWarning(path + ": has no section, so it changes nothing");
   return ini;
 }
 
-IniOptions readIni(const std::string& path)
+std::string nameIn(const CConfigFileBase& ini, const IniSection& section)
 {
-  const CConfigFileMemory ini = openIni(path, {"conversion", "insertion"});
+  const bool onlyOld = !section.oldName.empty() && !ini.sectionExists(section.name) &&
+                       ini.sectionExists(section.oldName);
+  return onlyOld ? section.oldName : section.name;
+}
+
+void warnUnknownKeys(const params::StrictSection& section, const std::string& path)
+{
+  const std::string begin = path + ": [" + section.name() + "] unknown key '";
+  for (const auto& key : section.unknownKeys())
+    printWarning(std::string(begin).append(key).append("' has no effect"));
+}
+
+IniOptions readIni(const std::string& path, const FieldFlags<freespace::ConversionParams>& flags)
+{
+  CConfigFileMemory ini = openIni(path, {kConversion, kVoxelInsertion});
+  flags.writeTo(ini, kConversion.name);
   IniOptions options;
   try
   {
-    readSection(ini, "conversion", path, options.conversion);
-    readSection(ini, "insertion", path, options.insertion);
+    readSection(ini, kConversion, path, options.conversion);
+    readSection(ini, kVoxelInsertion, path, options.insertion);
   }
   catch (const std::exception& error)
   {
-    throw std::runtime_error(path + ": " + mrpt_mapconv::params::oneLine(error));
+    throw std::runtime_error((path.empty() ? "the options" : path) + ": " + params::oneLine(error));
   }
   return options;
 }

@@ -2,30 +2,48 @@
 
 #include <mrpt/config/CConfigFileMemory.h>
 #include <mrpt_mapconv/freespace/ConversionOptions.h>
-#include <mrpt_mapconv/voxel/VoxelInsertion.h>
+#include <mrpt_mapconv/params/StrictSection.h>
+#include <mrpt_mapconv/voxel/VoxelInsertionOptions.h>
 
 #include <string>
 #include <vector>
 
+#include "input/FieldFlags.h"
+
 namespace mapconv
 {
-/** What an ini file may set. */
-struct IniOptions
+/** A section that an ini file (-c) may have. */
+struct IniSection
 {
-  mrpt_mapconv::freespace::TConversionOptions conversion;  //!< section [conversion]
-  mrpt_mapconv::voxel::TVoxelInsertionOptions insertion;   //!< section [insertion]
+  std::string name;
+  std::string oldName = {};  //!< how it was called before; read with a warning
 };
 
-/** The text of an ini file as MRPT reads it. Warns about sections other than these.
+/** The text of an ini file as MRPT reads it. Warns about sections other than these, and about old
+ * names.
+ * \param path empty: no file, and no section
  * \exception std::runtime_error in one line naming the file: missing, unreadable, or a line that is
  * no ini */
 mrpt::config::CConfigFileMemory openIni(const std::string& path,
-                                        const std::vector<std::string>& sections);
+                                        const std::vector<IniSection>& sections);
+/** How the file calls a section: by its old name if only that is there. */
+std::string nameIn(const mrpt::config::CConfigFileBase& ini, const IniSection& section);
+/** Warns about keys that nobody has read, naming the file. */
+void warnUnknownKeys(const mrpt_mapconv::params::StrictSection& section, const std::string& path);
 
-/** Reads an ini file; what is not in it keeps its default. Warns about sections and keys that mean
- * nothing here.
+/** What the ini file and the flags of `convert` and `project` may set. */
+struct IniOptions
+{
+  mrpt_mapconv::freespace::TConversionOptions conversion;  //!< section [conversion]
+  mrpt_mapconv::voxel::TVoxelInsertionOptions insertion;   //!< section [voxelInsertion]
+};
+
+/** Reads an ini file, in which flags replace what they stand for; what is in neither keeps its
+ * default. Warns about sections and keys that mean nothing here.
+ * \param path empty: none
  * \exception std::runtime_error in one line naming the file and what is wrong with it: missing,
  * unreadable, a line that is no ini, or (with section, key and value) a value that is not valid */
-IniOptions readIni(const std::string& path);
+IniOptions readIni(const std::string& path,
+                   const FieldFlags<mrpt_mapconv::freespace::ConversionParams>& flags = {});
 
 }  // namespace mapconv

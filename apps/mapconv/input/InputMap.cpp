@@ -2,9 +2,9 @@
 
 #include <mrpt_mapconv/files/ObjectFile.h>
 #include <mrpt_mapconv/maps/OctoMapAccess.h>
-#include <mrpt_mapconv/observation/ObservationPoints.h>
 #include <mrpt_mapconv/voxel/OctreeFile.h>
 #include <mrpt_mapconv/voxel/OctreeSource.h>
+#include <mrpt_mapconv/voxel/VoxelMapParams.h>
 #include <octomap/OcTree.h>
 
 #include <stdexcept>
@@ -32,19 +32,12 @@ void warnOfUnusedOptions(const InputRequest& request, double resolution)
 std::unique_ptr<octomap::OcTree> buildTree(const std::vector<observation::PosedObservation>& scans,
                                            const InputRequest& request, Progress& progress)
 {
-  auto tree =
-      std::make_unique<octomap::OcTree>(request.resolution.value_or(InputMap::kDefaultResolution));
+  auto tree = std::make_unique<octomap::OcTree>(
+      request.resolution.value_or(voxel::VoxelMapParams().resolution));
   const ConsoleLog log;
   observation::SayOnceLog warnings(&log);
-  std::size_t count = 0;
-  for (const auto& [observation, robotPose] : scans)
-  {
-    progress.done(static_cast<double>(count++) / static_cast<double>(scans.size()));
-    if (!request.insertion.insert2D && !observation::is3DScan(*observation)) continue;
-    const auto points = observation::sensorPoints(*observation, robotPose, &warnings);
-    if (points && !points->points.empty())
-      voxel::insertScan(*tree, *points, request.insertion, &warnings);
-  }
+  voxel::insertScans(*tree, scans, request.insertion, &warnings,
+                     [&](double share) { progress.done(share); });
   if (tree->size() == 0)
     throw std::runtime_error(request.file + ": none of its " + std::to_string(scans.size()) +
                              " scans has a usable point");
@@ -111,7 +104,7 @@ void InputMap::readObject(const InputRequest& request, Progress& progress)
     }
     others += (others.empty() ? "a " : ", a ") + name;
   }
-  throw std::runtime_error(request.file + ": eval::holds no octomap and no scans, but " +
+  throw std::runtime_error(request.file + ": holds no octomap and no scans, but " +
                            (others.empty() ? "no object at all" : others));
 }
 

@@ -28,12 +28,10 @@ struct InputRequest
   mrpt_mapconv::voxel::TVoxelInsertionOptions insertion;  //!< how scans are inserted
 };
 
-/** The voxel map that a file mrpt_mapconv::eval::holds, or that its scans give. */
+/** The voxel map that a file holds, or that its scans give. */
 class InputMap
 {
  public:
-  static constexpr double kDefaultResolution = 0.10;  //!< of a map that is built from scans [m]
-
   /** Warns where parts of the request or of the file have no effect.
    * \exception std::exception in one line naming the file and what is wrong with it */
   InputMap(const InputRequest& request, Progress& progress);

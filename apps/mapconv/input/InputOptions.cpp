@@ -1,10 +1,14 @@
 #include "input/InputOptions.h"
 
+#include <mrpt_mapconv/voxel/VoxelMapParams.h>
+
 #include <CLI/CLI.hpp>
 #include <cmath>
 
 namespace mapconv
 {
+using namespace mrpt_mapconv;
+
 namespace
 {
 /** Accepts numbers for which `isOk`. \param right what they are */
@@ -65,10 +69,11 @@ void addInputOptions(CLI::App& app, InputOptions& options)
       ->required()
       ->type_name("");
   addOutputOptions(app, options.outputDir, options.json);
-  app.add_option("-c,--config", options.iniFile, "options: sections [conversion], [insertion]")
+  app.add_option("-c,--config", options.iniFile, "options: sections [conversion], [voxelInsertion]")
       ->type_name("FILE.ini");
   app.add_option("--resolution", options.input.resolution,
-                 "voxel size where a voxel map is built from scans [m], default 0.1")
+                 "voxel size where a voxel map is built from scans [m], default " +
+                     params::textOf(voxel::VoxelMapParams().resolution))
       ->check(isPositive())
       ->type_name("M");
   addStaticOption(app, options.input.staticSensor);

@@ -20,7 +20,7 @@ std::string layersIn(const std::string& dir)
   const auto path = std::filesystem::path(dir) / MapFolder::kLayers;
   if (!std::filesystem::exists(dir)) throw std::runtime_error(dir + ": there is no such folder");
   if (!std::filesystem::exists(path))
-    throw std::runtime_error(dir + ": it eval::holds no " + MapFolder::kLayers +
+    throw std::runtime_error(dir + ": it holds no " + MapFolder::kLayers +
                              ", so it is no output folder of mapconv convert");
   return path.string();
 }
@@ -31,8 +31,7 @@ MapFolder::MapFolder(const std::string& dir) : m_file(freespace::readLayersTiff(
   const std::string path = (std::filesystem::path(dir) / kVoxels).string();
   if (!std::filesystem::exists(path))
   {
-    printWarning(dir + " eval::holds no " + kVoxels +
-                 ": slabs between two free ranges are not seen");
+    printWarning(dir + " holds no " + kVoxels + ": slabs between two free ranges are not seen");
     return;
   }
   m_tree = voxel::readOctreeFile(path);

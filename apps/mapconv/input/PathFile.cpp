@@ -125,8 +125,7 @@ std::vector<mrpt::math::TPoint2D> readPath2D(const std::string& file)
   PathReader reader(file);
   for (std::string line; std::getline(in, line);) reader.read(line);
   if (in.bad()) throw std::runtime_error("cannot read '" + file + "' to its end");
-  if (reader.path().empty())
-    throw std::runtime_error(file + ": it mrpt_mapconv::eval::holds no point");
+  if (reader.path().empty()) throw std::runtime_error(file + ": it holds no point");
   return reader.path();
 }
 

@@ -39,12 +39,12 @@ FileKind logKindIn(const std::string& path)
   const FileKind named = kindOf(path);
   if (named == FileKind::Octree)
     throw std::runtime_error(path +
-                             ": eval::holds no scans, but an octree; a .rawlog or .simplemap does");
+                             ": holds no scans, but an octree; a .rawlog or .simplemap does");
   if (named != FileKind::Object) return named;
   const auto object = files::ObjectFile(path).next();
-  if (!object) throw std::runtime_error(path + ": eval::holds no scans, but no object at all");
+  if (!object) throw std::runtime_error(path + ": holds no scans, but no object at all");
   if (const auto kind = logKindOf(*object)) return *kind;
-  throw std::runtime_error(path + ": eval::holds no scans, but a " +
+  throw std::runtime_error(path + ": holds no scans, but a " +
                            object->GetRuntimeClass()->className);
 }
 }  // namespace

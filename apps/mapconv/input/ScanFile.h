@@ -28,7 +28,7 @@ std::optional<FileKind> logKindOf(const mrpt::serialization::CSerializable& obje
 ScanFile readScans(const std::string& path, FileKind kind, bool staticSensor);
 
 /** The same for a file of any name that has to hold 3D scans.
- * \exception std::runtime_error likewise, also if it mrpt_mapconv::eval::holds something else or
+ * \exception std::runtime_error likewise, also if it holds something else or
  * only 2D scans */
 ScanFile read3DScans(const std::string& path, bool staticSensor, Progress& progress);
 

@@ -45,9 +45,9 @@ double InsertionFigures::meanWallShare() const
 }
 
 ScanInserter::ScanInserter(const ScanSettings& settings)
-    : m_settings(settings), m_map(settings.resolution)
+    : m_settings(settings), m_map(settings.grid.resolution)
 {
-  m_map.maxGridCells = settings.maxGridCells;
+  m_map.maxGridCells = settings.grid.maxGridCells;
   m_map.scanInsertionOptions = settings.insertion;
   m_map.insertionOptions = settings.insertion2D;
   takeWarningsOf(m_map.log());

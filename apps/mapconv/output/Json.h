@@ -1,5 +1,7 @@
 #pragma once
 
+#include <mrpt_mapconv/params/Fields.h>
+
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -41,5 +43,17 @@ class JsonObject
 
   std::string m_members;
 };
+
+/** Adds all fields of a struct with a list (params/Fields.h), named and in the units of its ini
+ * file.
+ */
+template <class Params>
+void addFields(const Params& params, JsonObject& json)
+{
+  namespace fields = mrpt_mapconv::params;
+  fields::visitFields(params,
+                      [&json](const char* name, const auto& field, const char*, const char*,
+                              fields::About = {}) { json.add(name, fields::shownValue(field)); });
+}
 
 }  // namespace mapconv

@@ -18,9 +18,10 @@ OccupancyCounts countsOf(const grid::Layer<float>& occupancy)
   return counts;
 }
 
-std::string headText(const Job& job, const GridFrame& frame)
+std::string headText(const SummaryHead& head)
 {
-  std::string text = job.input + ", " + job.inputKind + " -> " + job.outputDir + "\n";
+  const GridFrame& frame = head.frame;
+  std::string text = head.input + ", " + head.inputKind + " -> " + head.outputDir + "\n";
   text += mrpt::format("cells        %zu (%d x %d) of %s m\n", frame.size(), frame.width,
                        frame.height, jsonNumber(frame.resolution).c_str());
   text += mrpt::format("size         %.2f x %.2f m: x %.2f to %.2f, y %.2f to %.2f\n",
@@ -40,14 +41,17 @@ std::string countsText(const std::string& label, const OccupancyCounts& counts)
 
 std::string secondsText(const Seconds& seconds)
 {
-  return mrpt::format("seconds      load %.3f, %s %.3f, write %.3f\n", seconds.load,
-                      seconds.work.c_str(), seconds.convert, seconds.write);
+  std::string stages;
+  for (const auto& [name, time] : seconds)
+    stages += (stages.empty() ? "" : ", ") + mrpt::format("%s %.3f", name.c_str(), time);
+  return "seconds      " + stages + "\n";
 }
 
-JsonObject summaryJson(const Job& job, const GridFrame& frame, const OccupancyCounts& counts)
+JsonObject summaryJson(const SummaryHead& head, const OccupancyCounts& counts)
 {
+  const GridFrame& frame = head.frame;
   JsonObject json;
-  json.add("input", job.input).add("inputKind", job.inputKind).add("output", job.outputDir);
+  json.add("input", head.input).add("inputKind", head.inputKind).add("output", head.outputDir);
   json.add("resolution", frame.resolution).add("width", frame.width).add("height", frame.height);
   json.add("xMin", frame.xMin()).add("xMax", frame.xMax());
   json.add("yMin", frame.yMin()).add("yMax", frame.yMax());
@@ -59,7 +63,7 @@ JsonObject summaryJson(const Job& job, const GridFrame& frame, const OccupancyCo
 JsonObject secondsJson(const Seconds& seconds)
 {
   JsonObject json;
-  json.add("load", seconds.load).add(seconds.work, seconds.convert).add("write", seconds.write);
+  for (const auto& [name, time] : seconds) json.add(name, time);
   return json;
 }
 

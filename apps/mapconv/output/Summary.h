@@ -4,17 +4,11 @@
 
 #include <string>
 
+#include "output/Job.h"
 #include "output/Json.h"
 
 namespace mapconv
 {
-/** How long the stages of a command took [s]. */
-struct Seconds
-{
-  double load = 0, convert = 0, write = 0;
-  std::string work = "convert";  //!< what the stage between loading and writing is called
-};
-
 /** How many cells of an occupancy layer are what. */
 struct OccupancyCounts
 {
@@ -23,22 +17,23 @@ struct OccupancyCounts
 
 OccupancyCounts countsOf(const mrpt_mapconv::grid::Layer<float>& occupancy);
 
-/** What was read and where the results are. */
-struct Job
+/** What a summary begins with: what was read, where the results are, and how large they are. */
+struct SummaryHead
 {
   std::string input, inputKind, outputDir;
+  mrpt_mapconv::grid::GridFrame frame;
 };
 
-/** The first lines of a summary: what was made of what, and how large it is. */
-std::string headText(const Job& job, const mrpt_mapconv::grid::GridFrame& frame);
+/** The first lines of a summary. */
+std::string headText(const SummaryHead& head);
 /** The line with the counts, in cells and as shares of all cells. `label` is up to 11 characters.
  */
 std::string countsText(const std::string& label, const OccupancyCounts& counts);
+/** The last line: the stages and how long they took. */
 std::string secondsText(const Seconds& seconds);
 
 /** The JSON object with what every summary has. */
-JsonObject summaryJson(const Job& job, const mrpt_mapconv::grid::GridFrame& frame,
-                       const OccupancyCounts& counts);
+JsonObject summaryJson(const SummaryHead& head, const OccupancyCounts& counts);
 JsonObject secondsJson(const Seconds& seconds);
 
 }  // namespace mapconv

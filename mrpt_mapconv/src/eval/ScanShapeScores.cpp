@@ -1,3 +1,4 @@
+#include <mrpt_mapconv/eval/OccupancyScore.h>
 #include <mrpt_mapconv/eval/ScanShapeScores.h>
 #include <mrpt_mapconv/grid/OccupancyCell.h>
 #include <mrpt_mapconv/sim/Truth.h>

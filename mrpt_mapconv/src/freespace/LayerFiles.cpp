@@ -1,59 +1,54 @@
 #include <mrpt_mapconv/freespace/LayerFiles.h>
 
-#include <array>
-#include <charconv>
 #include <stdexcept>
-#include <utility>
 
 namespace mrpt_mapconv::freespace
 {
 namespace
 {
-/** The shortest text that reads back as the same number. */
-template <class Number>
-std::string textOf(Number value)
+/** The text of a parameter in a file's metadata; nothing if it came later than the file.
+ * \exception std::runtime_error if it should be there */
+const std::string* itemOf(const grid::Metadata& items, const std::string& name,
+                          const params::About& about, const std::string& path)
 {
-  std::array<char, 32> text{};
-  const auto end = std::to_chars(text.data(), text.data() + text.size(), value).ptr;
-  return {text.data(), end};
+  const auto item = items.find(name);
+  if (item != items.end()) return &item->second;
+  if (about.sinceVersion > 0) return nullptr;
+  throw std::runtime_error("cannot read '" + path + "': it does not say " + name +
+                           ", so it was not made by mapconv convert");
 }
 
-/** The parameters in a file's metadata. */
-class ParamsReader
+ConversionParams readParams(const std::string& path)
 {
- public:
-  explicit ParamsReader(std::string path)
-      : m_path(std::move(path)), m_items(grid::readGeoTiffMetadata(m_path))
+  const grid::Metadata items = grid::readGeoTiffMetadata(path);
+  ConversionParams params;
+  ConversionParams::visit(
+      params,
+      [&](const char* name, auto& value, const char*, const char*, params::About about = {})
+      {
+        const std::string* text = itemOf(items, name, about, path);
+        if (text && !params::readWhole(*text, value))
+          throw std::runtime_error("cannot read '" + path + "': its " + name + " = '" + *text +
+                                   "' is no number");
+      });
+  try
   {
+    params.check();
   }
-
-  template <class Number>
-  void read(const std::string& name, Number& value) const
+  catch (const std::invalid_argument& error)
   {
-    const auto item = m_items.find(name);
-    if (item == m_items.end())
-      throw std::runtime_error("cannot read '" + m_path + "': it does not say " + name +
-                               ", so it was not made by mapconv convert");
-    const std::string& text = item->second;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size())
-      throw std::runtime_error("cannot read '" + m_path + "': its " + name + " = '" + text +
-                               "' is no number");
+    throw std::runtime_error("cannot read '" + path + "': its " + error.what());
   }
-
- private:
-  std::string m_path;
-  grid::Metadata m_items;
-};
+  return params;
+}
 }  // namespace
 
 grid::Metadata metadataOf(const freespace::ConversionParams& params)
 {
-  return {{"minClearance", textOf(params.minClearance)},
-          {"minOccupancy", textOf(params.minOccupancy)},
-          {"slopeWindow", textOf(params.slopeWindow)},
-          {"maxSlope", textOf(params.maxSlope)},
-          {"maxStep", textOf(params.maxStep)}};
+  grid::Metadata items;
+  params::forEachText(
+      params, [&items](const char* name, const std::string& text) { items.emplace(name, text); });
+  return items;
 }
 
 void writeLayersTiff(const std::string& path, const freespace::Layers& layers,
@@ -65,20 +60,7 @@ void writeLayersTiff(const std::string& path, const freespace::Layers& layers,
 LayersFile readLayersTiff(const std::string& path)
 {
   LayersFile file;
-  ParamsReader params(path);
-  params.read("minClearance", file.params.minClearance);
-  params.read("minOccupancy", file.params.minOccupancy);
-  params.read("slopeWindow", file.params.slopeWindow);
-  params.read("maxSlope", file.params.maxSlope);
-  params.read("maxStep", file.params.maxStep);
-  try
-  {
-    file.params.check();
-  }
-  catch (const std::invalid_argument& error)
-  {
-    throw std::runtime_error("cannot read '" + path + "': its " + error.what());
-  }
+  file.params = readParams(path);
   for (const auto& entry : Layers::list())
     file.layers.*entry.member = grid::readGeoTiffBand(path, entry.name);
   return file;

@@ -17,30 +17,33 @@ void CFreeSpaceGridMap2D::TMapDefinition::loadFromConfigFile_map_specific(
     const mrpt::config::CConfigFileBase& source, const std::string& sectionNamePrefix)
 {
   maps::DefinitionSections ini(source, sectionNamePrefix);
-  ini.readCreation(resolution, genericMapParams);
+  ini.readCreation(creationOpts, genericMapParams);
   insertionOpts.loadFromConfigFile(source, ini.name("_insertOpts"));
   conversionOpts.loadFromConfigFile(source, ini.name("_conversionOpts"));
   ini.readLikelihood(likelihoodOpts);
+  ini.read("_renderOpts", renderOpts);
   ini.warnUnknown();
 }
 
 void CFreeSpaceGridMap2D::TMapDefinition::dumpToTextStream_map_specific(std::ostream& out) const
 {
-  LOADABLEOPTS_DUMP_VAR(resolution, double);
+  params::printFields(creationOpts, out);
   insertionOpts.dumpToTextStream(out);
   conversionOpts.dumpToTextStream(out);
   likelihoodOpts.dumpToTextStream(out);
+  params::printFields(renderOpts, out);
 }
 
 mrpt::maps::CMetricMap* CFreeSpaceGridMap2D::internal_CreateFromMapDefinition(
     const mrpt::maps::TMetricMapInitializer& definition)
 {
   const auto& def = dynamic_cast<const TMapDefinition&>(definition);
-  auto map = std::make_unique<CFreeSpaceGridMap2D>(def.resolution);
+  auto map = std::make_unique<CFreeSpaceGridMap2D>(def.creationOpts.resolution);
   map->warnings().rememberWith(def.said);
   map->voxelInsertionOptions = def.insertionOpts;
   map->setConversionOptions(def.conversionOpts);
   map->likelihoodOptions = def.likelihoodOpts;
+  map->renderingOptions = def.renderOpts;
   return map.release();
 }
 

@@ -22,8 +22,7 @@ void CFreeSpaceGridMap2D::serializeTo(mrpt::serialization::CArchive& out) const
   maps::writeGridOptions(out, *this);
   voxelInsertionOptions.writeToStream(out);
   m_conversion.writeToStream(out);
-  out << renderingOptions.showFloor << renderingOptions.showCeiling
-      << renderingOptions.colorBySlope;
+  params::writeFields(renderingOptions, out);
 
   // The tree's own resolution and sensor model: OctoMap's format rounds the one and lacks the
   // other.
@@ -47,8 +46,7 @@ void CFreeSpaceGridMap2D::serializeFrom(mrpt::serialization::CArchive& in, uint8
   maps::readGridOptions(in, read);
   read.voxelInsertionOptions.readFromStream(in);
   read.m_conversion.readFromStream(in);
-  in >> read.renderingOptions.showFloor >> read.renderingOptions.showCeiling >>
-      read.renderingOptions.colorBySlope;
+  params::readFields(in, read.renderingOptions, version, "CFreeSpaceGridMap2D stream");
 
   read.readOctree(in);
   Base::operator=(read);

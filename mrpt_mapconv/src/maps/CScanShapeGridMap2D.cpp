@@ -1,4 +1,3 @@
-#include <mrpt/core/bits_math.h>
 #include <mrpt/obs/CObservation2DRangeScan.h>
 #include <mrpt_mapconv/maps/CScanShapeGridMap2D.h>
 #include <mrpt_mapconv/maps/MapDefinition.h>
@@ -168,20 +167,10 @@ std::string CScanShapeGridMap2D::asString() const
 maps::SelfDescription CScanShapeGridMap2D::describe() const
 {
   const auto& profile = scanInsertionOptions.profile;
-  const double gap = profile.structureGap;
-  return {{{"model", scan::summaryOf(profile)}},
-          "parameters",
-          {{"model", scan::nameOf(profile.model)},
-           {"objectMinZ", profile.objectMinZ},
-           {"objectMaxZ", profile.objectMaxZ},
-           {"reflectionFilter", profile.reflectionFilter},
-           {"structureMinZ", profile.structureMinZ},
-           {"structureMaxZ", profile.structureMaxZ},
-           {"minRange", profile.minRange},
-           {"maxRange", profile.maxRange},
-           {"sectors", profile.sectors},
-           {"structureGap", gap < 0 ? gap : mrpt::RAD2DEG(gap)},
-           {"structureTolerance", profile.structureTolerance}}};
+  maps::SelfDescription description{{{"model", scan::summaryOf(profile)}}, "parameters", {}};
+  params::visitFields(profile, [&](const char* name, const auto& field, auto&&...)
+                      { description.values.emplace_back(name, params::shownValue(field)); });
+  return description;
 }
 
 void CScanShapeGridMap2D::getVisualizationInto(mrpt::opengl::CSetOfObjects& scene) const

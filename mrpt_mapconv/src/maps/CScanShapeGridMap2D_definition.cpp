@@ -18,14 +18,13 @@ void CScanShapeGridMap2D::TMapDefinition::loadFromConfigFile_map_specific(
     const mrpt::config::CConfigFileBase& source, const std::string& sectionNamePrefix)
 {
   maps::DefinitionSections ini(source, sectionNamePrefix);
-  ini.readCreation(resolution, genericMapParams,
-                   [this](params::StrictSection& creation)
+  ini.readCreation(creationOpts, genericMapParams,
+                   [this](const params::StrictSection& creation)
                    {
-                     creation.read("maxGridCells", maxGridCells);
-                     if (maxGridCells < 1) creation.fail("maxGridCells", ">= 1");
+                     if (creationOpts.maxGridCells < 1) creation.fail("maxGridCells", ">= 1");
                    });
   params::StrictSection insertion(source, ini.name("_insertOpts"));
-  scanInsertionOpts.readFrom(insertion, resolution);
+  scanInsertionOpts.readFrom(insertion, creationOpts.resolution);
   maps::readGridInsertionOptions(insertion, insertionOpts);
   insertion.warnUnknown();
   ini.readLikelihood(likelihoodOpts);
@@ -34,8 +33,7 @@ void CScanShapeGridMap2D::TMapDefinition::loadFromConfigFile_map_specific(
 
 void CScanShapeGridMap2D::TMapDefinition::dumpToTextStream_map_specific(std::ostream& out) const
 {
-  LOADABLEOPTS_DUMP_VAR(resolution, double);
-  LOADABLEOPTS_DUMP_VAR(maxGridCells, double);
+  params::printFields(creationOpts, out);
   scanInsertionOpts.dumpToTextStream(out);
   insertionOpts.dumpToTextStream(out);
   likelihoodOpts.dumpToTextStream(out);
@@ -45,9 +43,9 @@ mrpt::maps::CMetricMap* CScanShapeGridMap2D::internal_CreateFromMapDefinition(
     const mrpt::maps::TMetricMapInitializer& definition)
 {
   const auto& def = dynamic_cast<const TMapDefinition&>(definition);
-  auto map = std::make_unique<CScanShapeGridMap2D>(def.resolution);
+  auto map = std::make_unique<CScanShapeGridMap2D>(def.creationOpts.resolution);
   map->m_log.warnings.rememberWith(def.said);
-  map->maxGridCells = def.maxGridCells;
+  map->maxGridCells = def.creationOpts.maxGridCells;
   map->scanInsertionOptions = def.scanInsertionOpts;
   map->insertionOptions = def.insertionOpts;
   map->likelihoodOptions = def.likelihoodOpts;

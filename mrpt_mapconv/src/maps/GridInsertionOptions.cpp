@@ -8,59 +8,49 @@ namespace mrpt_mapconv::maps
 namespace
 {
 using Options = mrpt::maps::COccupancyGridMap2D::TInsertionOptions;
+using params::StrictSection;
 
 bool isCertainty(float p) { return p >= 0.5f && p <= 1; }
 
 /** A certainty for which 0 stands for that of occupied cells. */
-void readFreeCertainty(params::StrictSection& ini, const char* key, float& value)
+void checkFreeCertainty(const StrictSection& ini, const char* key, float value)
 {
-  ini.read(key, value);
   if (!isCertainty(value) && value != 0)
     ini.fail(key, "within [0.5, 1], or 0 for maxOccupancyUpdateCertainty");
 }
 
-void readNotNegative(params::StrictSection& ini, const char* key, float& value)
+void checkNotNegative(const StrictSection& ini, const char* key, float value)
 {
-  ini.read(key, value);
   if (value < 0) ini.fail(key, ">= 0");
 }
 
-void readDecimation(params::StrictSection& ini, Options& options)
+/** Wider than the option itself, so that what is too large can be told. */
+void checkDecimation(StrictSection& ini, std::uint32_t every)
 {
-  constexpr std::uint32_t most = std::numeric_limits<decltype(options.decimation)>::max();
-  std::uint32_t every = options.decimation;
+  constexpr std::uint32_t most = std::numeric_limits<decltype(Options::decimation)>::max();
   ini.read("decimation", every);
   if (every < 1 || every > most) ini.fail("decimation", "from 1 to " + std::to_string(most));
-  options.decimation = static_cast<std::uint16_t>(every);
 }
 
-void readTolerance(params::StrictSection& ini, Options& options)
+void check(const StrictSection& ini, const Options& options)
 {
-  if (!ini.has("horizontalTolerance")) return;
-  float degrees = 0;
-  readNotNegative(ini, "horizontalTolerance", degrees);
-  options.horizontalTolerance = mrpt::DEG2RAD(degrees);
+  if (options.maxDistanceInsertion <= 0) ini.fail("maxDistanceInsertion", "> 0");
+  if (!isCertainty(options.maxOccupancyUpdateCertainty))
+    ini.fail("maxOccupancyUpdateCertainty", "within [0.5, 1]");
+  checkFreeCertainty(ini, "maxFreenessUpdateCertainty", options.maxFreenessUpdateCertainty);
+  checkFreeCertainty(ini, "maxFreenessInvalidRanges", options.maxFreenessInvalidRanges);
+  checkNotNegative(ini, "horizontalTolerance", options.horizontalTolerance);
+  checkNotNegative(ini, "CFD_features_gaussian_size", options.CFD_features_gaussian_size);
+  checkNotNegative(ini, "CFD_features_median_size", options.CFD_features_median_size);
 }
 }  // namespace
 
-void readGridInsertionOptions(params::StrictSection& ini, Options& options)
+void readGridInsertionOptions(StrictSection& ini, Options& options)
 {
   Options read = options;
-  ini.read("mapAltitude", read.mapAltitude);
-  ini.read("useMapAltitude", read.useMapAltitude);
-  ini.read("maxDistanceInsertion", read.maxDistanceInsertion);
-  if (read.maxDistanceInsertion <= 0) ini.fail("maxDistanceInsertion", "> 0");
-  ini.read("maxOccupancyUpdateCertainty", read.maxOccupancyUpdateCertainty);
-  if (!isCertainty(read.maxOccupancyUpdateCertainty))
-    ini.fail("maxOccupancyUpdateCertainty", "within [0.5, 1]");
-  readFreeCertainty(ini, "maxFreenessUpdateCertainty", read.maxFreenessUpdateCertainty);
-  readFreeCertainty(ini, "maxFreenessInvalidRanges", read.maxFreenessInvalidRanges);
-  ini.read("considerInvalidRangesAsFreeSpace", read.considerInvalidRangesAsFreeSpace);
-  readDecimation(ini, read);
-  readTolerance(ini, read);
-  readNotNegative(ini, "CFD_features_gaussian_size", read.CFD_features_gaussian_size);
-  readNotNegative(ini, "CFD_features_median_size", read.CFD_features_median_size);
-  ini.read("wideningBeamsWithDistance", read.wideningBeamsWithDistance);
+  checkDecimation(ini, read.decimation);
+  params::readFields(ini, read);
+  check(ini, read);
   options = read;
 }
 

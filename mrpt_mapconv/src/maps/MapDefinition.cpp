@@ -1,24 +1,16 @@
 #include <mrpt/system/COutputLogger.h>
+#include <mrpt_mapconv/grid/Resolution.h>
 #include <mrpt_mapconv/maps/GridLikelihoodOptions.h>
 #include <mrpt_mapconv/maps/MapDefinition.h>
-#include <mrpt_mapconv/params/Require.h>
 
 #include <algorithm>
 #include <utility>
 
 namespace mrpt_mapconv::maps
 {
-namespace
-{
-constexpr double kFinest = 1e-4, kCoarsest = 1e3;  // [m]; beyond that MRPT's floats fail
-constexpr const char* kRightResolution = "within [0.0001, 1000] m";
-
-bool isResolution(double resolution) { return resolution >= kFinest && resolution <= kCoarsest; }
-}  // namespace
-
 double checkedResolution(double resolution)
 {
-  params::require(isResolution(resolution), "resolution", resolution, kRightResolution);
+  grid::requireResolution(resolution);
   return resolution;
 }
 
@@ -34,17 +26,12 @@ std::string DefinitionSections::name(const std::string& ending)
   return m_known.back();
 }
 
-void DefinitionSections::readCreation(double& resolution, mrpt::maps::TMapGenericParams& shared,
-                                      const std::function<void(params::StrictSection&)>& readMore)
+void DefinitionSections::readShared(params::StrictSection& ini,
+                                    mrpt::maps::TMapGenericParams& shared)
 {
-  params::StrictSection ini(m_source, name("_creationOpts"));
-  ini.read("resolution", resolution);
-  if (!isResolution(resolution)) ini.fail("resolution", kRightResolution);
   ini.read("enableSaveAs3DObject", shared.enableSaveAs3DObject);
   ini.read("enableObservationLikelihood", shared.enableObservationLikelihood);
   ini.read("enableObservationInsertion", shared.enableObservationInsertion);
-  if (readMore) readMore(ini);
-  ini.warnUnknown();
 }
 
 void DefinitionSections::readLikelihood(

@@ -95,6 +95,8 @@ void StrictSection::read(const std::string& key, float& value) { readNumber(key,
 void StrictSection::read(const std::string& key, std::int32_t& value) { readNumber(key, value); }
 void StrictSection::read(const std::string& key, std::uint32_t& value) { readNumber(key, value); }
 
+void StrictSection::read(const std::string& key, std::uint16_t& value) { readNumber(key, value); }
+
 void StrictSection::read(const std::string& key, std::string& value)
 {
   m_known.insert(key);

@@ -36,6 +36,12 @@ void checkStructure(const ProfileParams& params)
 }
 }  // namespace
 
+const std::vector<std::string>& namesOf(Model)
+{
+  static const std::vector<std::string> names{"wholeShape", "closestPoint"};
+  return names;
+}
+
 void ProfileParams::check() const
 {
   require(std::isfinite(objectMinZ), "objectMinZ", objectMinZ, "a finite height [m]");

@@ -1,6 +1,5 @@
 #include <mrpt_mapconv/params/Text.h>
 #include <mrpt_mapconv/scan/ProfileSummary.h>
-#include <mrpt_mapconv/scan/ScanInsertionOptions.h>
 
 #include <cmath>
 
@@ -24,8 +23,8 @@ std::string wallText(const ProfileParams& params)
 
 std::string summaryOf(const ProfileParams& params)
 {
-  return nameOf(params.model) + ", objects from " + range(params.objectMinZ, params.objectMaxZ) +
-         ", " + wallText(params);
+  return params::textOf(params.model) + ", objects from " +
+         range(params.objectMinZ, params.objectMaxZ) + ", " + wallText(params);
 }
 
 }  // namespace mrpt_mapconv::scan

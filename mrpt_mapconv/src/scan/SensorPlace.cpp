@@ -1,6 +1,7 @@
 #include "SensorPlace.h"
 
 #include <mrpt_mapconv/grid/CellKey.h>
+#include <mrpt_mapconv/observation/FinitePose.h>
 
 #include <algorithm>
 #include <cmath>
@@ -25,19 +26,13 @@ void checkHeight(double height, const ProfileParams& params)
   throw UnusableScan(message.str());
 }
 
-bool isFinite(const Viewpoint& view)
-{
-  const auto& pose = view.sensorPose;
-  return std::isfinite(pose.x()) && std::isfinite(pose.y()) && std::isfinite(pose.z()) &&
-         std::isfinite(pose.yaw()) && std::isfinite(pose.pitch()) && std::isfinite(pose.roll()) &&
-         std::isfinite(view.baseZ);
-}
 }  // namespace
 
 SensorPlace placeOf(const Viewpoint& view, double resolution, const ProfileParams& params)
 {
   const auto& pose = view.sensorPose;
-  if (!isFinite(view)) throw UnusableScan("the scan's pose is not finite");
+  if (!observation::isFinite(pose) || !std::isfinite(view.baseZ))
+    throw UnusableScan("the scan's pose is not finite");
   if (std::max(std::abs(pose.x()), std::abs(pose.y())) > kFarthest * resolution)
   {
     std::ostringstream message;

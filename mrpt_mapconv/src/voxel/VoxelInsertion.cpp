@@ -1,5 +1,4 @@
 #include <mrpt_mapconv/observation/FinitePose.h>
-#include <mrpt_mapconv/observation/PoseTrack.h>
 #include <mrpt_mapconv/voxel/OctreeSource.h>
 #include <mrpt_mapconv/voxel/VoxelInsertion.h>
 #include <octomap/OcTree.h>
@@ -133,6 +132,26 @@ voxel::ColumnSet insertScan(octomap::OcTree& tree, const observation::SensorPoin
   // another threshold can change any voxel's state
   if (threshold != tree.getOccupancyThresLog()) changed = allColumns(tree);
   return changed;
+}
+
+InsertedScans insertScans(octomap::OcTree& tree,
+                          const std::vector<observation::PosedObservation>& scans,
+                          const TVoxelInsertionOptions& options, observation::SayOnceLog* warnings,
+                          const std::function<void(double)>& progress)
+{
+  InsertedScans inserted;
+  std::size_t count = 0;
+  for (const auto& [observation, robotPose] : scans)
+  {
+    if (progress) progress(static_cast<double>(count++) / static_cast<double>(scans.size()));
+    if (!options.insert2D && !observation::is3DScan(*observation)) continue;
+    const auto scan = observation::sensorPoints(*observation, robotPose, warnings);
+    if (!scan || scan->points.empty()) continue;
+    inserted.changed.insert(insertScan(tree, *scan, options, warnings));
+    ++inserted.scans;
+    inserted.points += scan->points.size();
+  }
+  return inserted;
 }
 
 }  // namespace mrpt_mapconv::voxel

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# Installs the build into an empty prefix, builds a small consumer against it with find_package, runs
-# the consumer and the installed program.  Usage: test.sh BUILD_FOLDER
+# Installs the build into an empty prefix, builds a small consumer and the first example against it
+# with find_package, runs them and the installed program.  Usage: test.sh BUILD_FOLDER
 set -euo pipefail
 build=$1
 here=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -16,6 +16,7 @@ cmake -S "$here" -B "$work/consumer" -DCMAKE_PREFIX_PATH="$work/prefix" >"$work/
   { cat "$work/log"; exit 1; }
 cmake --build "$work/consumer" >"$work/log" 2>&1 || { cat "$work/log"; exit 1; }
 "$work/consumer/consumer"
+(cd "$work" && ./consumer/01_convert)
 
 # the installed program must find the installed library, not the one in the build folder
 env -u LD_LIBRARY_PATH ldd "$work/prefix/bin/mapconv" | grep "libmrpt_mapconv" | grep -q "$work/prefix"

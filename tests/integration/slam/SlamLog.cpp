@@ -7,7 +7,8 @@
 #include <mrpt/obs/CObservationPointCloud.h>
 #include <mrpt/obs/CRawlog.h>
 #include <mrpt/serialization/CArchive.h>
-#include <mrpt_mapconv/eval/MapScore.h>
+#include <mrpt_mapconv/eval/LabelScore.h>
+#include <mrpt_mapconv/eval/OccupancyScore.h>
 #include <mrpt_mapconv/grid/GeoTiff.h>
 #include <mrpt_mapconv/grid/OccupancyCell.h>
 #include <mrpt_mapconv/sim/SimulationFiles.h>

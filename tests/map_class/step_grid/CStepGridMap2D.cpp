@@ -49,20 +49,16 @@ void CStepGridMap2D::TMapDefinition::loadFromConfigFile_map_specific(
     const mrpt::config::CConfigFileBase& source, const std::string& prefix)
 {
   maps::DefinitionSections ini(source, prefix);
-  ini.readCreation(resolution, genericMapParams);
-  params::StrictSection insertion(source, ini.name("_insertOpts"));
-  insertion.read("maxStep", insertionOpts.maxStep);
-  insertion.read("maxRange", insertionOpts.maxRange);
-  insertion.warnUnknown();
-  insertionOpts.check();
+  ini.readCreation(creationOpts, genericMapParams);
+  insertionOpts.loadFromConfigFile(source, ini.name("_insertOpts"));
   ini.readLikelihood(likelihoodOpts);
   ini.warnUnknown();
 }
 
 void CStepGridMap2D::TMapDefinition::dumpToTextStream_map_specific(std::ostream& out) const
 {
-  out << "resolution = " << resolution << "\nmaxStep = " << insertionOpts.maxStep
-      << "\nmaxRange = " << insertionOpts.maxRange << '\n';
+  params::printFields(creationOpts, out);
+  insertionOpts.dumpToTextStream(out);
   likelihoodOpts.dumpToTextStream(out);
 }
 
@@ -70,7 +66,7 @@ mrpt::maps::CMetricMap* CStepGridMap2D::internal_CreateFromMapDefinition(
     const mrpt::maps::TMetricMapInitializer& definition)
 {
   const auto& def = dynamic_cast<const TMapDefinition&>(definition);
-  auto map = std::make_unique<CStepGridMap2D>(def.resolution);
+  auto map = std::make_unique<CStepGridMap2D>(def.creationOpts.resolution);
   map->insertionParams = def.insertionOpts;
   map->likelihoodOptions = def.likelihoodOpts;
   return map.release();
@@ -83,7 +79,7 @@ void CStepGridMap2D::serializeTo(mrpt::serialization::CArchive& out) const
   maps::writeGridOptions(out, *this);
   for (const auto* layer : {&m_layers.lowest, &m_layers.highest, &m_layers.occupancy})
     maps::writeLayer(out, *layer);
-  out << insertionParams.maxStep << insertionParams.maxRange;
+  insertionParams.writeToStream(out);
 }
 
 void CStepGridMap2D::serializeFrom(mrpt::serialization::CArchive& in, uint8_t version)
@@ -94,7 +90,7 @@ void CStepGridMap2D::serializeFrom(mrpt::serialization::CArchive& in, uint8_t ve
   for (auto* layer : {&read.m_layers.lowest, &read.m_layers.highest, &read.m_layers.occupancy})
     maps::readLayer(in, *layer);
   read.setCellSize(read.m_layers.lowest.frame().resolution);
-  in >> read.insertionParams.maxStep >> read.insertionParams.maxRange;
+  read.insertionParams.readFromStream(in);
   read.showAllCells();
   *this = read;
 }

@@ -14,6 +14,8 @@ namespace step_grid
  * resolution = 0.10            // [m] size of a cell
  * [map_stepGrid_00_insertOpts]
  * maxStep = 0.2                // see StepParams
+ * [map_stepGrid_00_likelihoodOpts]
+ * likelihoodMethod = lmLikelihoodField_Thrun   // see COccupancyGridMap2D::TLikelihoodOptions
  * \endcode
  */
 class CStepGridMap2D : public mrpt_mapconv::maps::LayerGridMap2D
@@ -22,7 +24,7 @@ class CStepGridMap2D : public mrpt_mapconv::maps::LayerGridMap2D
 
  public:
   /** An empty map. \param resolution size of a cell, 0.0001 to 1000 m */
-  explicit CStepGridMap2D(double resolution = 0.10);
+  explicit CStepGridMap2D(double resolution = StepGridParams().resolution);
 
   StepParams insertionParams;  //!< take effect with the next insertion
 
@@ -38,7 +40,7 @@ class CStepGridMap2D : public mrpt_mapconv::maps::LayerGridMap2D
   StepLayers m_layers;
 
   MAP_DEFINITION_START(CStepGridMap2D)
-  double resolution = 0.10;  //!< size of a cell [m]
+  step_grid::StepGridParams creationOpts;
   step_grid::StepParams insertionOpts;
   mrpt::maps::COccupancyGridMap2D::TLikelihoodOptions likelihoodOpts;
   MAP_DEFINITION_END(CStepGridMap2D)

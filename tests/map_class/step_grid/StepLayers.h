@@ -2,18 +2,41 @@
 
 #include <mrpt/math/TPoint3D.h>
 #include <mrpt_mapconv/grid/Layer.h>
+#include <mrpt_mapconv/params/ListedOptions.h>
 #include <mrpt_mapconv/voxel/ColumnSet.h>
 
 #include <vector>
 
 namespace step_grid
 {
-/** How a StepLayers tells steps. */
-struct StepParams
+/** How a map of steps begins. */
+struct StepGridParams
 {
+  double resolution = 0.10;  //!< size of a cell [m]
+
+  template <class S, class V>
+  static void visit(S& p, V&& v)
+  {
+    v("resolution", p.resolution, "m", "size of a cell");
+  }
+};
+
+/** How a StepLayers tells steps. */
+struct StepParams : mrpt_mapconv::params::ListedOptions<StepParams>
+{
+  static constexpr const char* kName = "StepParams";
+  static constexpr const char* kStreamName = "step parameters";
+  static constexpr std::uint8_t kStreamVersion = 0;
+
   double maxStep = 0.2;    //!< a cell whose points differ by more in height is occupied [m]
   double maxRange = 20.0;  //!< points further from the sensor are left out [m]
 
+  template <class S, class V>
+  static void visit(S& p, V&& v)
+  {
+    v("maxStep", p.maxStep, "m", "a cell whose points differ by more in height is occupied");
+    v("maxRange", p.maxRange, "m", "points further from the sensor are left out");
+  }
   /** \exception std::invalid_argument naming the parameter, its value and what would be right */
   void check() const;
 };

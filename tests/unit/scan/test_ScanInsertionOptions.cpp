@@ -114,10 +114,10 @@ TEST(ScanInsertionOptions, TheKeyThatIsBlamedIsOneThatIsThere)
 
 TEST(ScanInsertionOptions, ModelsHaveTheirNamesInTheIni)
 {
-  EXPECT_EQ(scan::nameOf(scan::Model::WholeShape), "wholeShape");
-  EXPECT_EQ(scan::nameOf(scan::Model::ClosestPoint), "closestPoint");
-  for (const auto& name : scan::modelNames())
-    EXPECT_EQ(scan::nameOf(read(kSlice + "model = " + name + "\n").profile.model), name);
+  EXPECT_EQ(params::textOf(scan::Model::WholeShape), "wholeShape");
+  EXPECT_EQ(params::textOf(scan::Model::ClosestPoint), "closestPoint");
+  for (const auto& name : namesOf(scan::Model()))
+    EXPECT_EQ(params::textOf(read(kSlice + "model = " + name + "\n").profile.model), name);
 }
 
 TEST(ScanInsertionOptions, MaxRangeHasToFitTheCells)

@@ -1,7 +1,6 @@
 // From a simulated exploration to paths in 3D: none touches the world that was explored.
 #include <gtest/gtest.h>
 #include <mrpt_mapconv/freespace/Conversion.h>
-#include <mrpt_mapconv/observation/ObservationPoints.h>
 #include <mrpt_mapconv/planning/RobotPath.h>
 #include <mrpt_mapconv/sim/Simulator.h>
 #include <mrpt_mapconv/voxel/OctreeSource.h>
@@ -69,10 +68,10 @@ octomap::OcTree explored(const sim::Scenario& scenario)
 {
   octomap::OcTree tree(kResolution);
   sim::Simulator simulator(scenario, 1);
+  std::vector<observation::PosedObservation> scans;
   while (const auto moment = simulator.next())
-    for (const sim::Scan& scan : moment->scans)
-      if (const auto points = observation::sensorPoints(*scan.observation, moment->pose))
-        voxel::insertScan(tree, *points, {});
+    for (const sim::Scan& scan : moment->scans) scans.push_back({scan.observation, moment->pose});
+  voxel::insertScans(tree, scans, {});
   return tree;
 }
 

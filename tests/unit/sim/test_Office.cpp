@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 #include <mrpt/config/CConfigFileMemory.h>
 #include <mrpt/obs/CObservation2DRangeScan.h>
-#include <mrpt_mapconv/eval/MapScore.h>
+#include <mrpt_mapconv/eval/LabelScore.h>
 #include <mrpt_mapconv/params/IniText.h>
 #include <mrpt_mapconv/sim/Scenario.h>
 

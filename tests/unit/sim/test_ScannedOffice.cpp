@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 #include <mrpt/core/bits_math.h>
-#include <mrpt_mapconv/eval/MapScore.h>
+#include <mrpt_mapconv/eval/LabelScore.h>
 #include <mrpt_mapconv/grid/CellKey.h>
 #include <mrpt_mapconv/grid/OccupancyCell.h>
 #include <mrpt_mapconv/observation/ObservationPoints.h>

@@ -41,6 +41,15 @@ TEST(World, IsReadFromAFile)
   EXPECT_EQ(world.name(1), "sphere.b");
 }
 
+TEST(World, BodiesAreKnownByTheBeginningOfTheirNames)
+{
+  const World world = worldOf(std::string(kWorld) + "[box.low_1]\nmin = 0 0 0\nmax = 1 1 1\n");
+  for (const char* start : {"", "l", "low", "low_1"})
+    EXPECT_TRUE(world.nameBegins(0, start)) << start;
+  for (const char* start : {"b", "box", "box.low", "ow", "low_12"})
+    EXPECT_FALSE(world.nameBegins(0, start)) << start;
+}
+
 TEST(World, BadFilesGetAnError)
 {
   const std::string six = "six numbers, xMin yMin zMin xMax yMax zMax [m]";

@@ -4,7 +4,6 @@
 #include <mrpt_mapconv/freespace/Conversion.h>
 #include <mrpt_mapconv/freespace/FixedProjection.h>
 #include <mrpt_mapconv/grid/OccupancyCell.h>
-#include <mrpt_mapconv/observation/ObservationPoints.h>
 #include <mrpt_mapconv/sim/SimulationFiles.h>
 #include <mrpt_mapconv/sim/Simulator.h>
 #include <mrpt_mapconv/sim/Truth.h>
@@ -13,6 +12,8 @@
 
 #include <limits>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 namespace mapconv
 {
@@ -97,17 +98,15 @@ class FollowingMaps
 /** Inserts a moment's 3D scans. \return the columns that have changed */
 voxel::ColumnSet insertScans(const sim::Moment& moment, Exploration& run)
 {
-  voxel::ColumnSet changed;
+  std::vector<observation::PosedObservation> scans;
   for (const sim::Scan& scan : moment.scans)
-  {
-    if (!scan.is3D) continue;
-    const auto points = observation::sensorPoints(*scan.observation, moment.estimatedPose);
-    if (!points || points->points.empty()) continue;
-    changed.insert(voxel::insertScan(*run.tree, *points, {}));
-    ++run.scans;
-    run.points += points->points.size();
-  }
-  return changed;
+    scans.push_back({scan.observation, moment.estimatedPose});
+  voxel::TVoxelInsertionOptions only3D;
+  only3D.insert2D = false;
+  auto inserted = voxel::insertScans(*run.tree, scans, only3D);
+  run.scans += inserted.scans;
+  run.points += inserted.points;
+  return std::move(inserted.changed);
 }
 
 double sensorHeight(const sim::Scenario& scenario)

@@ -20,8 +20,7 @@ void checkNames(const std::vector<std::string>& names, const sim::World& bodies,
   for (const std::string& start : names)
   {
     bool any = false;
-    for (std::size_t i = 0; i < bodies.size(); ++i)
-      any |= bodies.name(i).substr(bodies.name(i).find('.') + 1).rfind(start, 0) == 0;
+    for (std::size_t i = 0; i < bodies.size(); ++i) any |= bodies.nameBegins(i, start);
     if (!any)
       throw std::runtime_error("section '" + world.name + "': " + key + ": no body of " +
                                world.file + " has a name that begins with '" + start + "'");

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <mrpt_mapconv/eval/MapScore.h>
+#include <mrpt_mapconv/eval/CellMask.h>
 #include <mrpt_mapconv/freespace/Layers.h>
 
 #include <vector>

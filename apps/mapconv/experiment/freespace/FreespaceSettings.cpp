@@ -34,13 +34,9 @@ ConversionParams readConversion(const ExperimentJob& job, const std::string& nam
 {
   ConversionParams params;
   StrictSection section(job.ini, name);
-  section.read("minClearance", params.minClearance);
-  section.read("minOccupancy", params.minOccupancy);
-  section.read("slopeWindow", params.slopeWindow);
-  section.read("maxSlope", params.maxSlope);
-  section.read("maxStep", params.maxStep);
+  mrpt_mapconv::params::readFields(section, params);
   section.refuseUnknown("a conversion");
-  checkIn(name, [&] { params.check(); });
+  section.checked([&] { params.check(); });
   return params;
 }
 

@@ -1,3 +1,6 @@
+#include <mrpt_mapconv/eval/LayerErrors.h>
+#include <mrpt_mapconv/eval/OccupancyScore.h>
+
 #include <cmath>
 
 #include "experiment/freespace/FreespaceResult.h"

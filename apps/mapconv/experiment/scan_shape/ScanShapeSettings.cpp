@@ -69,7 +69,7 @@ void readInsertion(const ExperimentJob& job, ScanShapeSettings& settings)
   scan::TScanInsertionOptions options;
   options.readFrom(section);
   section.refuseUnknown("the insertion of 3D scans");
-  checkIn(section.name(), [&] { options.check(); });
+  section.checked([&] { options.check(); });
   settings.profile = options.profile;
   settings.update = options.update;
 }
@@ -95,7 +95,7 @@ void readPaper(const ExperimentJob& job, ScanShapeSettings& settings)
   section.refuseUnknown("the paper's table");
 }
 
-void checkSweep(const std::string& section, const ScanShapeSettings& settings)
+void checkSweep(const StrictSection& section, const ScanShapeSettings& settings)
 {
   scan::UpdateParams update = settings.update;
   for (const double pHit : settings.sweep.pHit)
@@ -103,13 +103,13 @@ void checkSweep(const std::string& section, const ScanShapeSettings& settings)
     {
       update.pHit = pHit;
       update.pMiss = pMiss;
-      checkIn(section, [&] { update.check(); });
+      section.checked([&] { update.check(); });
     }
   scan::ProfileParams profile = settings.profile;
   for (const double tolerance : settings.sweep.structureTolerance)
   {
     profile.structureTolerance = tolerance;
-    checkIn(section, [&] { profile.check(); });
+    section.checked([&] { profile.check(); });
   }
 }
 
@@ -126,7 +126,7 @@ void readSweep(const ExperimentJob& job, ScanShapeSettings& settings)
   section.read("structureTolerance", sweep.structureTolerance);
   sweep.sectors = readCounts<std::int32_t>(section, "sectors");
   section.refuseUnknown("the sweep");
-  checkSweep(section.name(), settings);
+  checkSweep(section, settings);
 }
 
 sim::Footprint readRectangle(StrictSection& section, const std::string& key)

@@ -1,7 +1,7 @@
 #pragma once
 
+#include <mrpt_mapconv/eval/LabelScore.h>
 #include <mrpt_mapconv/eval/MapRegion.h>
-#include <mrpt_mapconv/eval/MapScore.h>
 #include <mrpt_mapconv/eval/ScanShapeHistory.h>
 #include <mrpt_mapconv/grid/Layer.h>
 #include <mrpt_mapconv/sim/Scenario.h>

@@ -1,33 +1,38 @@
 #pragma once
 
-#include <mrpt/config/CLoadableOptions.h>
-#include <mrpt/serialization/CArchive.h>
 #include <mrpt_mapconv/freespace/ConversionParams.h>
 #include <mrpt_mapconv/freespace/Robot.h>
+#include <mrpt_mapconv/params/ListedOptions.h>
 
 namespace mrpt_mapconv::freespace
 {
-using freespace::Robot;
-
-/** Options of the free-space projection as MRPT reads and prints them; in an ini file: robot
- * (ground|aerial), minClearance, minOccupancy, slopeWindow, maxSlope, maxStep. */
-struct TConversionOptions : public mrpt::config::CLoadableOptions
+/** Options of the free-space projection as MRPT reads, prints and streams them. */
+struct TConversionOptions : public params::ListedOptions<TConversionOptions>
 {
+  static constexpr const char* kName = "TConversionOptions";
+  static constexpr const char* kStreamName = "conversion options";
+  static constexpr std::uint8_t kStreamVersion = 0;
+
   Robot robot = Robot::Ground;
-  freespace::ConversionParams params;
+  ConversionParams params;
 
-  /** Reads the keys that are there; warns about others.
-   * \exception std::runtime_error naming section, key and value; the options then stay as they were
-   */
-  void loadFromConfigFile(const mrpt::config::CConfigFileBase& source,
-                          const std::string& section) override;
-  void saveToConfigFile(mrpt::config::CConfigFileBase& target,
-                        const std::string& section) const override;
-  void dumpToTextStream(std::ostream& out) const override;
+  template <class S, class V>
+  static void visit(S& o, V&& v)
+  {
+    v("robot", o.robot, "", "whose occupancy the grid shows: ground or aerial");
+    ConversionParams::visit(o.params, v);
+  }
+  /** \exception std::invalid_argument naming the parameter, its value and what would be right */
+  void check() const { params.check(); }
 
-  void writeToStream(mrpt::serialization::CArchive& out) const;
   /** \exception std::exception for a stream that does not hold valid options */
-  void readFromStream(mrpt::serialization::CArchive& in);
+  void readFromStream(mrpt::serialization::CArchive& in)
+  {
+    TConversionOptions read;
+    read.ListedOptions::readFromStream(in);
+    read.check();
+    *this = read;
+  }
 };
 
 }  // namespace mrpt_mapconv::freespace

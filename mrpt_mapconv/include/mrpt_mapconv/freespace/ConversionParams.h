@@ -1,5 +1,7 @@
 #pragma once
 
+#include <mrpt_mapconv/params/Fields.h>
+
 #include <cstdint>
 
 namespace mrpt_mapconv::freespace
@@ -14,6 +16,18 @@ struct ConversionParams
   double maxSlope = 2.0;         //!< R_MS: a ground robot's steepest slope [m/m]
   double maxStep = 0.0;  //!< highest step between 8-neighbours for a ground robot [m]; 0 = off
 
+  template <class S, class V>
+  static void visit(S& p, V&& v)
+  {
+    using params::flag;
+    v("minClearance", p.minClearance, "m", "a free range must be at least this high", flag("M"));
+    v("minOccupancy", p.minOccupancy, "",
+      "least share of a neighbour's free range that blocks, 0 to 1", flag("P"));
+    v("slopeWindow", p.slopeWindow, "cells", "around a cell over which its slope is fitted",
+      flag("N"));
+    v("maxSlope", p.maxSlope, "m/m", "steepest slope for a ground robot", flag("S"));
+    v("maxStep", p.maxStep, "m", "highest step for a ground robot; 0 = not looked at", flag("M"));
+  }
   /** \exception std::invalid_argument naming the parameter, its value and what would be right */
   void check() const;
 

@@ -3,6 +3,7 @@
 #include <mrpt/opengl/CSetOfObjects.h>
 #include <mrpt_mapconv/freespace/Layers.h>
 #include <mrpt_mapconv/grid/LayerScene.h>
+#include <mrpt_mapconv/params/Fields.h>
 
 namespace mrpt_mapconv::freespace
 {
@@ -12,6 +13,14 @@ struct TLayerSceneOptions
   bool showFloor = true;
   bool showCeiling = false;
   bool colorBySlope = false;  //!< colour the floor by its slope instead of its height
+
+  template <class S, class V>
+  static void visit(S& o, V&& v)
+  {
+    v("showFloor", o.showFloor, "", "draw the floor as a surface");
+    v("showCeiling", o.showCeiling, "", "draw the ceiling, too");
+    v("colorBySlope", o.colorBySlope, "", "colour the floor by its slope instead of its height");
+  }
 };
 
 /** Adds the floor (and the ceiling) to a 3D scene, as surfaces in the map frame [m] made of MRPT's

@@ -5,6 +5,7 @@
 #include <mrpt_mapconv/freespace/LayerScene.h>
 #include <mrpt_mapconv/maps/LayerGridMap2D.h>
 #include <mrpt_mapconv/voxel/VoxelInsertion.h>
+#include <mrpt_mapconv/voxel/VoxelMapParams.h>
 
 #include <memory>
 #include <string>
@@ -44,6 +45,8 @@ namespace mrpt_mapconv
  * robot = ground               // see freespace::TConversionOptions
  * [map_freeSpaceGrid_00_likelihoodOpts]
  * likelihoodMethod = lmLikelihoodField_Thrun   // see COccupancyGridMap2D::TLikelihoodOptions
+ * [map_freeSpaceGrid_00_renderOpts]
+ * showCeiling = true           // see freespace::TLayerSceneOptions
  * \endcode
  */
 class CFreeSpaceGridMap2D : public maps::LayerGridMap2D
@@ -53,7 +56,7 @@ class CFreeSpaceGridMap2D : public maps::LayerGridMap2D
  public:
   /** An empty map. \param resolution size of voxels and cells, 0.0001 to 1000 m
    * \exception std::invalid_argument for another resolution */
-  explicit CFreeSpaceGridMap2D(double resolution = 0.10);
+  explicit CFreeSpaceGridMap2D(double resolution = voxel::VoxelMapParams().resolution);
   ~CFreeSpaceGridMap2D() override;
   CFreeSpaceGridMap2D(const CFreeSpaceGridMap2D& o);
   CFreeSpaceGridMap2D& operator=(const CFreeSpaceGridMap2D& o);
@@ -112,10 +115,11 @@ class CFreeSpaceGridMap2D : public maps::LayerGridMap2D
   bool m_sawFree = false;      //!< some cell was free once, so nobody needs to be warned
 
   MAP_DEFINITION_START(CFreeSpaceGridMap2D)
-  double resolution = 0.10;  //!< size of voxels and cells [m]
+  mrpt_mapconv::voxel::VoxelMapParams creationOpts;
   mrpt_mapconv::voxel::TVoxelInsertionOptions insertionOpts;
   mrpt_mapconv::freespace::TConversionOptions conversionOpts;
   mrpt::maps::COccupancyGridMap2D::TLikelihoodOptions likelihoodOpts;
+  mrpt_mapconv::freespace::TLayerSceneOptions renderOpts;
   mrpt_mapconv::observation::SayOnceLog said;  //!< by all maps made of it, e.g. one per particle
   MAP_DEFINITION_END(CFreeSpaceGridMap2D)
 };

@@ -4,6 +4,7 @@
 #include <mrpt_mapconv/grid/Layer.h>
 #include <mrpt_mapconv/maps/MapLog.h>
 #include <mrpt_mapconv/maps/SelfDescription.h>
+#include <mrpt_mapconv/scan/ScanGridParams.h>
 #include <mrpt_mapconv/scan/ScanInsertionOptions.h>
 #include <mrpt_mapconv/scan/ScanProfile.h>
 
@@ -55,7 +56,7 @@ class CScanShapeGridMap2D : public mrpt::maps::COccupancyGridMap2D, public maps:
  public:
   /** An empty map. \param resolution size of a cell, 0.0001 to 1000 m
    * \exception std::invalid_argument for another resolution */
-  explicit CScanShapeGridMap2D(double resolution = 0.05);
+  explicit CScanShapeGridMap2D(double resolution = scan::ScanGridParams().resolution);
   ~CScanShapeGridMap2D() override;
   /** Copies are made per particle: what is needed only during an insertion is not copied, and what
    * one of them has said once, the others do not repeat (MRPT copies a CMultiMetricMap by way of a
@@ -68,7 +69,7 @@ class CScanShapeGridMap2D : public mrpt::maps::COccupancyGridMap2D, public maps:
   scan::TScanInsertionOptions scanInsertionOptions;
   /** A scan that would make the grid larger than this is refused by an exception. MRPT itself
    * counts up to 2^32 − 1. */
-  double maxGridCells = 4e8;
+  double maxGridCells = scan::ScanGridParams().maxGridCells;
 
   /** What was found in the last 3D scan that was inserted into this object, or skipped for having
    * no valid object; nothing if there was none. */
@@ -120,8 +121,7 @@ class CScanShapeGridMap2D : public mrpt::maps::COccupancyGridMap2D, public maps:
   std::unique_ptr<Workspace> m_work;  //!< made for the first 3D scan
 
   MAP_DEFINITION_START(CScanShapeGridMap2D)
-  double resolution = 0.05;  //!< size of a cell [m]
-  double maxGridCells = 4e8;
+  mrpt_mapconv::scan::ScanGridParams creationOpts;
   mrpt_mapconv::scan::TScanInsertionOptions scanInsertionOpts;
   mrpt::maps::COccupancyGridMap2D::TInsertionOptions insertionOpts;
   mrpt::maps::COccupancyGridMap2D::TLikelihoodOptions likelihoodOpts;

@@ -1,7 +1,40 @@
 #pragma once
 
 #include <mrpt/maps/COccupancyGridMap2D.h>
-#include <mrpt_mapconv/params/StrictSection.h>
+#include <mrpt_mapconv/params/Fields.h>
+
+namespace mrpt_mapconv::params
+{
+/** The list of COccupancyGridMap2D's insertion options, with its names and units. */
+template <>
+struct FieldsOf<mrpt::maps::COccupancyGridMap2D::TInsertionOptions>
+{
+  template <class S, class V>
+  static void visit(S& o, V&& v)
+  {
+    v("mapAltitude", o.mapAltitude, "m", "height of the plane that 2D scans have to lie in");
+    v("useMapAltitude", o.useMapAltitude, "", "whether they have to");
+    v("maxDistanceInsertion", o.maxDistanceInsertion, "m", "longest part of a 2D ray");
+    v("maxOccupancyUpdateCertainty", o.maxOccupancyUpdateCertainty, "",
+      "what a hit of a 2D ray is worth, 0.5 to 1");
+    v("maxFreenessUpdateCertainty", o.maxFreenessUpdateCertainty, "",
+      "what a cell before it is worth, 0.5 to 1; 0 = maxOccupancyUpdateCertainty");
+    v("maxFreenessInvalidRanges", o.maxFreenessInvalidRanges, "",
+      "what a cell along an invalid 2D ray is worth; 0 = maxOccupancyUpdateCertainty");
+    v("considerInvalidRangesAsFreeSpace", o.considerInvalidRangesAsFreeSpace, "",
+      "whether invalid 2D rays say anything");
+    v("decimation", o.decimation, "", "every how manieth 2D ray is used");
+    v("horizontalTolerance", Degrees(o.horizontalTolerance), "degrees",
+      "how far a 2D scan may be from level");
+    v("CFD_features_gaussian_size", o.CFD_features_gaussian_size, "cells",
+      "for MRPT's landmarks of grids");
+    v("CFD_features_median_size", o.CFD_features_median_size, "cells",
+      "for MRPT's landmarks of grids");
+    v("wideningBeamsWithDistance", o.wideningBeamsWithDistance, "",
+      "whether 2D rays widen with their distance");
+  }
+};
+}  // namespace mrpt_mapconv::params
 
 namespace mrpt_mapconv::maps
 {

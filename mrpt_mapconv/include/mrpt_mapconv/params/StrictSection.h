@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <set>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,7 @@ class StrictSection
   void read(const std::string& key, float& value);
   void read(const std::string& key, std::int32_t& value);
   void read(const std::string& key, std::uint32_t& value);
+  void read(const std::string& key, std::uint16_t& value);
   /** Numbers between spaces, commas or brackets. */
   void read(const std::string& key, std::vector<double>& values);
   void read(const std::string& key, bool& value);         //!< true/false, yes/no, 1/0
@@ -40,6 +42,21 @@ class StrictSection
    * around the section: MRPT takes what stands before a ']' for a place in its code.
    * \param right what would be, e.g. "> 0" */
   [[noreturn]] void fail(const std::string& key, const std::string& right) const;
+
+  /** Calls check(), whose complaint about a parameter then names the section as well.
+   * \exception std::runtime_error for its std::invalid_argument */
+  template <class Check>
+  void checked(const Check& check) const
+  {
+    try
+    {
+      check();
+    }
+    catch (const std::invalid_argument& error)
+    {
+      throw std::runtime_error("section '" + m_section + "': " + error.what());
+    }
+  }
 
   /** Declares a key as known that something else reads. */
   void ignore(const std::string& key) { m_known.insert(key); }

@@ -20,6 +20,14 @@ struct UpdateParams
   double pMiss = 0.45;              //!< of one that a scan says is free, below 0.5
   double pMin = 0.03, pMax = 0.97;  //!< cells are kept within these; around 0.5
 
+  template <class S, class V>
+  static void visit(S& p, V&& v)
+  {
+    v("pHit", p.pHit, "", "probability that stands for an occupied cell of a scan, above 0.5");
+    v("pMiss", p.pMiss, "", "probability that stands for a free cell of a scan, below 0.5");
+    v("pMin", p.pMin, "", "lowest probability of a cell");
+    v("pMax", p.pMax, "", "highest probability of a cell");
+  }
   /** \exception std::invalid_argument naming the parameter, its value and what would be right */
   void check() const;
 };

@@ -43,6 +43,11 @@ class World
   std::size_t size() const { return m_primitives.size(); }
   const Primitive& primitive(std::size_t i) const { return *m_primitives[i]; }
   const std::string& name(std::size_t i) const { return m_names[i]; }
+  /** True if a body's name, without its kind, begins so: "box.lowWall_1" with "lowWall". */
+  bool nameBegins(std::size_t i, const std::string& start) const
+  {
+    return m_names[i].compare(m_names[i].find('.') + 1, start.size(), start) == 0;
+  }
 
   /** The solid parts of the vertical line through (x, y) [m], merged where they touch or overlap
    * (to 1e-9 m), from the lowest up; the slope is that of the body that forms the top. */

@@ -1,8 +1,13 @@
 #pragma once
 
 #include <mrpt_mapconv/observation/ObservationPoints.h>
+#include <mrpt_mapconv/observation/ScanLog.h>
 #include <mrpt_mapconv/voxel/ColumnSet.h>
 #include <mrpt_mapconv/voxel/VoxelInsertionOptions.h>
+
+#include <cstddef>
+#include <functional>
+#include <vector>
 
 namespace octomap
 {
@@ -26,5 +31,25 @@ grid::GridFrame frameOfScan(const octomap::OcTree& tree, const observation::Sens
 voxel::ColumnSet insertScan(octomap::OcTree& tree, const observation::SensorPoints& scan,
                             const TVoxelInsertionOptions& options,
                             observation::SayOnceLog* warnings = nullptr);
+
+/** What a series of scans did to a voxel map. */
+struct InsertedScans
+{
+  ColumnSet changed;                  //!< as insertScan() gives them, of all scans
+  std::size_t scans = 0, points = 0;  //!< that were inserted
+};
+
+/** Inserts scans into a voxel map one after another, each as insertScan() does. Passed over are
+ * observations of other classes, scans without points and, unless `options.insert2D`, 2D scans.
+ *
+ * \param warnings told of what could not be used; may be null
+ * \param progress told, before each scan, the share of them that is done, [0, 1); may be empty
+ * \exception std::runtime_error for a scan whose data are damaged or whose sensor pose is not
+ * valid; the scans before it are in the tree by then */
+InsertedScans insertScans(octomap::OcTree& tree,
+                          const std::vector<observation::PosedObservation>& scans,
+                          const TVoxelInsertionOptions& options,
+                          observation::SayOnceLog* warnings = nullptr,
+                          const std::function<void(double)>& progress = {});
 
 }  // namespace mrpt_mapconv::voxel

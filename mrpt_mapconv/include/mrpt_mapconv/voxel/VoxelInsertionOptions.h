@@ -1,7 +1,6 @@
 #pragma once
 
-#include <mrpt/config/CLoadableOptions.h>
-#include <mrpt/serialization/CArchive.h>
+#include <mrpt_mapconv/params/ListedOptions.h>
 
 namespace octomap
 {
@@ -12,8 +11,12 @@ namespace mrpt_mapconv::voxel
 {
 /** How scans are inserted into the voxel map; named, also in an ini file, as
  * mrpt::maps::COctoMap::TInsertionOptions, with the same defaults, plus insert2D. */
-struct TVoxelInsertionOptions : public mrpt::config::CLoadableOptions
+struct TVoxelInsertionOptions : public params::ListedOptions<TVoxelInsertionOptions>
 {
+  static constexpr const char* kName = "TVoxelInsertionOptions";
+  static constexpr const char* kStreamName = "voxel insertion options";
+  static constexpr std::uint8_t kStreamVersion = 0;
+
   double maxrange = -1;              //!< longest part of a beam to insert [m]; −1: all of it
   bool pruning = true;               //!< keep the tree pruned (lossless)
   double occupancyThres = 0.5;       //!< probability from which on a voxel is occupied
@@ -23,22 +26,20 @@ struct TVoxelInsertionOptions : public mrpt::config::CLoadableOptions
   double clampingThresMax = 0.971;   //!< highest probability of a voxel
   bool insert2D = true;              //!< insert 2D range scans, too
 
+  template <class S, class V>
+  static void visit(S& o, V&& v)
+  {
+    v("maxrange", o.maxrange, "m", "longest part of a beam that is inserted; -1 = all of it");
+    v("pruning", o.pruning, "", "keep the voxel map pruned (lossless)");
+    v("occupancyThres", o.occupancyThres, "", "probability from which on a voxel is occupied");
+    v("probHit", o.probHit, "", "probability that stands for a hit, 0.5 to 1");
+    v("probMiss", o.probMiss, "", "probability that stands for a miss, 0 to 0.5");
+    v("clampingThresMin", o.clampingThresMin, "", "lowest probability of a voxel");
+    v("clampingThresMax", o.clampingThresMax, "", "highest probability of a voxel");
+    v("insert2D", o.insert2D, "", "insert 2D range scans, too");
+  }
   /** \exception std::invalid_argument naming the option, its value and what would be right */
   void check() const;
-
-  /** Reads the keys that are there; warns about others.
-   * \exception std::runtime_error naming section, key and value; the options then stay as they were
-   */
-  void loadFromConfigFile(const mrpt::config::CConfigFileBase& source,
-                          const std::string& section) override;
-  void saveToConfigFile(mrpt::config::CConfigFileBase& target,
-                        const std::string& section) const override;
-  void dumpToTextStream(std::ostream& out) const override;
-
-  void writeToStream(mrpt::serialization::CArchive& out) const;
-  /** Values are not checked: a stream brings back what was written, valid or not.
-   * \exception std::exception for a stream that ends or does not hold options */
-  void readFromStream(mrpt::serialization::CArchive& in);
 
   /** Gives the tree this sensor model (the five probabilities). */
   void applyTo(octomap::OcTree& tree) const;

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <mrpt_mapconv/grid/Layer.h>
+#include <mrpt_mapconv/sim/World.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace mrpt_mapconv::eval
+{
+/** Which cells are judged: those that are not 0. */
+using CellMask = grid::Layer<std::uint8_t>;
+
+/** The cells that both masks have, on the frame of `a`. */
+CellMask both(const CellMask& a, const CellMask& b);
+
+/** The cells of a layer with a value of at least `least`. */
+CellMask cellsFrom(const grid::Layer<float>& layer, float least);
+
+/** The cells at whose centre a body stands whose name (without its kind) begins like one of
+ * `names`. */
+CellMask cellsOf(const sim::World& world, const std::vector<std::string>& names,
+                 const grid::GridFrame& frame);
+
+}  // namespace mrpt_mapconv::eval

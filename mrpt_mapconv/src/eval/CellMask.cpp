@@ -1,0 +1,52 @@
+#include <mrpt_mapconv/eval/CellMask.h>
+
+#include <algorithm>
+
+#include "ComparedMaps.h"
+
+namespace mrpt_mapconv::eval
+{
+using grid::GridFrame;
+using grid::Layer;
+
+CellMask both(const CellMask& a, const CellMask& b)
+{
+  CellMask mask = on(a.frame(), b, std::uint8_t{0});
+  for (std::size_t i = 0; i < mask.cells().size(); ++i)
+    mask.cells()[i] = mask.cells()[i] && a.cells()[i];
+  return mask;
+}
+
+CellMask cellsFrom(const Layer<float>& layer, float least)
+{
+  CellMask mask(layer.frame(), 0);
+  for (std::size_t i = 0; i < mask.cells().size(); ++i) mask.cells()[i] = layer.cells()[i] >= least;
+  return mask;
+}
+
+CellMask cellsOf(const sim::World& world, const std::vector<std::string>& names,
+                 const GridFrame& frame)
+{
+  CellMask mask(frame, 0);
+  std::vector<sim::Solid> solids;
+  for (std::size_t i = 0; i < world.size(); ++i)
+  {
+    if (std::none_of(names.begin(), names.end(),
+                     [&](const std::string& start) { return world.nameBegins(i, start); }))
+      continue;
+    for (std::int32_t y = 0; y < frame.height; ++y)
+      for (std::int32_t x = 0; x < frame.width; ++x)
+      {
+        solids.clear();
+        const double cx = (frame.x0 + x + 0.5) * frame.resolution;
+        const double cy = (frame.y0 + y + 0.5) * frame.resolution;
+        const sim::Footprint place = world.primitive(i).footprint();
+        if (cx < place.xMin || cx > place.xMax || cy < place.yMin || cy > place.yMax) continue;
+        world.primitive(i).appendSolids(cx, cy, solids);
+        if (!solids.empty()) mask.at(x, y) = 1;
+      }
+  }
+  return mask;
+}
+
+}  // namespace mrpt_mapconv::eval

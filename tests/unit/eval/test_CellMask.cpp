@@ -1,0 +1,39 @@
+#include <gtest/gtest.h>
+#include <mrpt/config/CConfigFileMemory.h>
+#include <mrpt_mapconv/eval/CellMask.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <string>
+
+#include "CellRows.h"
+
+using namespace mrpt_mapconv;
+using namespace mrpt_mapconv::testing;
+
+TEST(CellMask, CellsOfNamedBodies)
+{
+  mrpt::config::CConfigFileMemory ini;
+  ini.setContent(
+      std::string("[world]\nbounds = 0 0 -1 4 1 3\n"
+                  "[box.floor]\nmin = 0 0 -1\nmax = 4 1 0\n"
+                  "[box.lowWall_1]\nmin = 1 0 0\nmax = 2 1 0.4\n"));
+  const auto world = sim::World::fromIni(ini, {});
+  const auto cells = eval::cellsOf(world, {"lowWall"}, {0.5, 0, 0, 8, 1});
+  EXPECT_EQ(cells.cells(), (std::vector<std::uint8_t>{0, 0, 1, 1, 0, 0, 0, 0}));
+}
+
+TEST(CellMask, CellsOfBothMasks)
+{
+  const auto a = row({0, 1, 1, 1}), b = row({1, 0, 1}, 1);  // the last cells are the same one
+  const auto cells = eval::both(eval::cellsFrom(a, 0.5f), eval::cellsFrom(b, 0.5f));
+  EXPECT_EQ(cells.frame(), a.frame());
+  EXPECT_EQ(cells.cells(), (std::vector<std::uint8_t>{0, 1, 0, 1}));
+  EXPECT_THROW(eval::both(mask(a), CellMask(GridFrame{1.0, 0, 0, 4, 1}, 1)), std::invalid_argument);
+}
+
+TEST(CellMask, CellsFromAValueOn)
+{
+  const auto cells = eval::cellsFrom(row({0.4f, 0.5f, 2, std::nanf("")}), 0.5f);
+  EXPECT_EQ(cells.cells(), (std::vector<std::uint8_t>{0, 1, 1, 0}));
+}
