@@ -23,6 +23,7 @@ std::pair<CLI::App*, Command> addConvert(CLI::App& app);
 std::pair<CLI::App*, Command> addProject(CLI::App& app);
 std::pair<CLI::App*, Command> addInsert(CLI::App& app);
 std::pair<CLI::App*, Command> addInfo(CLI::App& app);
+std::pair<CLI::App*, Command> addParams(CLI::App& app);
 std::pair<CLI::App*, Command> addRun(CLI::App& app, std::vector<std::string> program);
 std::pair<CLI::App*, Command> addSampleMap(CLI::App& app);
 std::pair<CLI::App*, Command> addPlan(CLI::App& app);
