@@ -12,10 +12,10 @@
 
 #include "command/Command.h"
 #include "input/InputOptions.h"
-#include "input/PathFile.h"
 #include "input/PathOptions.h"
 #include "output/Job.h"
 #include "output/PathScene.h"
+#include "output/PathSummary.h"
 
 namespace mapconv
 {
