@@ -72,7 +72,7 @@ int main(int argc, char** argv)
       mapconv::addConvert(app),      mapconv::addProject(app),   mapconv::addInsert(app),
       mapconv::addPlan(app),         mapconv::addLift(app),      mapconv::addInfo(app),
       mapconv::addRun(app, program), mapconv::addSampleMap(app), mapconv::addSimulate(app),
-      mapconv::addExperiment(app)};
+      mapconv::addExperiment(app),   mapconv::addParams(app)};
   try
   {
     std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants them

@@ -2,27 +2,23 @@
 
 #include <CLI/App.hpp>
 #include <functional>
-#include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
+
+#include "input/UsageError.h"
 
 namespace mapconv
 {
 /** Runs a subcommand whose options have been parsed; gives the program's exit status. */
 using Command = std::function<int()>;
 
-/** Options that are wrong in a way that only shows when they are seen together: exit status 2. */
-struct UsageError : std::runtime_error
-{
-  using std::runtime_error::runtime_error;
-};
-
 /** Each declares a subcommand and its options on `app` and returns what runs it. @{ */
 std::pair<CLI::App*, Command> addConvert(CLI::App& app);
 std::pair<CLI::App*, Command> addProject(CLI::App& app);
 std::pair<CLI::App*, Command> addInsert(CLI::App& app);
 std::pair<CLI::App*, Command> addInfo(CLI::App& app);
+std::pair<CLI::App*, Command> addParams(CLI::App& app);
 std::pair<CLI::App*, Command> addRun(CLI::App& app, std::vector<std::string> program);
 std::pair<CLI::App*, Command> addSampleMap(CLI::App& app);
 std::pair<CLI::App*, Command> addPlan(CLI::App& app);

@@ -12,6 +12,7 @@
 #include "input/PathFile.h"
 #include "input/PathOptions.h"
 #include "output/Console.h"
+#include "output/PathSummary.h"
 
 namespace mapconv
 {

@@ -12,10 +12,10 @@
 
 #include "command/Command.h"
 #include "input/InputOptions.h"
-#include "input/PathFile.h"
 #include "input/PathOptions.h"
 #include "output/Job.h"
 #include "output/PathScene.h"
+#include "output/PathSummary.h"
 
 namespace mapconv
 {
@@ -57,13 +57,16 @@ int plan(const PlanOptions& options)
 {
   checkCsvName(options.outputFile);
   Job job;
-  const MapFolder map(options.dir);
+  const MapFolder map =
+      job.stage("load", "reading " + options.dir, [&] { return MapFolder(options.dir); });
   planning::RobotPathQuery query;
   query.start = {options.from[0], options.from[1]};
   query.goal = {options.to[0], options.to[1]};
   query.robotRadius = options.robotRadius;
   query.lift = liftParamsOf(options, map, options.robotRadius);
-  const auto way = planning::planRobotPath(map.layers(), map.params(), query, map.voxels());
+  const auto way = job.stage(
+      "plan", "planning",
+      [&] { return planning::planRobotPath(map.layers(), map.params(), query, map.voxels()); });
   if (!way.found()) throw std::runtime_error(options.dir + ": no path: " + way.problem);
   const std::string folder = std::filesystem::path(options.outputFile).parent_path().string();
   job.write(folder.empty() ? "." : folder,

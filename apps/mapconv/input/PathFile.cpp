@@ -11,8 +11,6 @@
 #include <string_view>
 #include <utility>
 
-#include "output/Json.h"
-
 namespace mapconv
 {
 namespace params = mrpt_mapconv::params;
@@ -127,15 +125,6 @@ std::vector<mrpt::math::TPoint2D> readPath2D(const std::string& file)
   if (in.bad()) throw std::runtime_error("cannot read '" + file + "' to its end");
   if (reader.path().empty()) throw std::runtime_error(file + ": it holds no point");
   return reader.path();
-}
-
-std::string pathCsv(const mrpt_mapconv::path::LiftedPath& path)
-{
-  std::string text = "x,y,z\n";
-  for (const auto& point : path.points)
-    text += jsonNumber(point.position.x) + "," + jsonNumber(point.position.y) + "," +
-            jsonNumber(point.position.z) + "\n";
-  return text;
 }
 
 }  // namespace mapconv

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <mrpt/math/TPoint2D.h>
-#include <mrpt_mapconv/path/LiftPath.h>
 
 #include <string>
 #include <vector>
@@ -12,8 +11,5 @@ namespace mapconv
  * then x,y or x,y,z; a point a line. Empty lines and such that begin with # are passed over.
  * \exception std::runtime_error naming file and line, and what is wrong there */
 std::vector<mrpt::math::TPoint2D> readPath2D(const std::string& file);
-
-/** A CSV file with the header x,y,z and a point a line [m]. */
-std::string pathCsv(const mrpt_mapconv::path::LiftedPath& path);
 
 }  // namespace mapconv

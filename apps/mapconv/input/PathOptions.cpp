@@ -1,45 +1,20 @@
 #include "input/PathOptions.h"
 
-#include <mrpt/core/format.h>
-
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <cmath>
 #include <filesystem>
-#include <vector>
 
-#include "command/Command.h"
 #include "input/InputOptions.h"
+#include "input/UsageError.h"
 #include "output/Console.h"
+#include "output/Json.h"
 
 namespace mapconv
 {
 using namespace mrpt_mapconv;
 using freespace::Robot;
-using path::HeightRule;
 
 namespace
 {
-struct PathFigures
-{
-  double length = 0, lowest = INFINITY, highest = -INFINITY;
-  std::size_t floorAhead = 0, sphere = 0;  // points whose height the rules decided
-};
-
-PathFigures figuresOf(const path::LiftedPath& path)
-{
-  PathFigures figures;
-  for (std::size_t i = 0; i < path.points.size(); ++i)
-  {
-    const path::LiftedPoint& point = path.points[i];
-    if (i > 0) figures.length += (point.position - path.points[i - 1].position).norm();
-    figures.lowest = std::min(figures.lowest, point.position.z);
-    figures.highest = std::max(figures.highest, point.position.z);
-    ++(point.rule == HeightRule::FloorAhead ? figures.floorAhead : figures.sphere);
-  }
-  return figures;
-}
-
 void checkSafetyRadius(double radius, const PathOptions& options, double minClearance)
 {
   if (radius > 0 && radius <= minClearance / 2) return;
@@ -107,27 +82,6 @@ void checkCsvName(const std::string& file)
   const std::filesystem::path path = file;
   if (path.extension() != ".csv" || path.stem().empty())
     throw UsageError("-o " + file + ": it must be a name that ends in .csv");
-}
-
-std::string pathText(const path::LiftedPath& path)
-{
-  const PathFigures figures = figuresOf(path);
-  std::string text =
-      mrpt::format("points       %zu, %.2f m long, z from %.2f to %.2f m\n", path.points.size(),
-                   figures.length, figures.lowest, figures.highest);
-  text += mrpt::format("heights      %zu from the floor ahead and behind, %zu from the sphere\n",
-                       figures.floorAhead, figures.sphere);
-  return text;
-}
-
-JsonObject pathJson(const path::LiftedPath& path)
-{
-  const PathFigures figures = figuresOf(path);
-  JsonObject json;
-  json.add("points", path.points.size()).add("length", figures.length);
-  json.add("zMin", figures.lowest).add("zMax", figures.highest);
-  json.add("heightsFromFloor", figures.floorAhead).add("heightsFromSphere", figures.sphere);
-  return json.add("slabsChecked", path.slabsChecked);
 }
 
 }  // namespace mapconv

@@ -7,7 +7,6 @@
 #include <string>
 
 #include "input/MapFolder.h"
-#include "output/Json.h"
 
 namespace mapconv
 {
@@ -31,9 +30,5 @@ mrpt_mapconv::path::LiftParams liftParamsOf(const PathOptions& options, const Ma
 
 /** \exception UsageError unless that is a name that ends in .csv */
 void checkCsvName(const std::string& file);
-
-/** What became of a path: points, heights, what decided them. */
-std::string pathText(const mrpt_mapconv::path::LiftedPath& path);
-JsonObject pathJson(const mrpt_mapconv::path::LiftedPath& path);
 
 }  // namespace mapconv

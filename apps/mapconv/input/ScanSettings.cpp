@@ -9,8 +9,8 @@
 #include <stdexcept>
 #include <utility>
 
-#include "command/Command.h"
 #include "input/IniFile.h"
+#include "input/UsageError.h"
 #include "output/Console.h"
 
 namespace mapconv

@@ -33,7 +33,8 @@ TEST_F(IniFile, setsTheParameters)
 {
   const auto run = convertWith(
       "[conversion]\nminClearance = 0.5 // comment\nminOccupancy=0.25\nslopeWindow = 3\n"
-      "maxSlope = 1.5 ; comment\nmaxStep = 0.1\nrobot = aerial\n\n# comment\n[insertion]\nmaxrange "
+      "maxSlope = 1.5 ; comment\nmaxStep = 0.1\nrobot = aerial\n\n# "
+      "comment\n[voxelInsertion]\nmaxrange "
       "= 5\n");
   ASSERT_EQ(0, run.status) << run.err;
   EXPECT_EQ("", run.err);
@@ -72,12 +73,32 @@ TEST_F(IniFile, theShippedFileHoldsTheDefaults)
 TEST_F(IniFile, typosAreNamedInAWarning)
 {
   const auto run = convertWith(
-      "[conversion]\nminClearence = 0.5\nmaxStep = 0.1\n[insertion]\nmaxRange = 3\n[other]\na=b\n");
+      "[conversion]\nminClearence = 0.5\nmaxStep = 0.1\n[voxelInsertion]\nmaxRange = "
+      "3\n[other]\na=b\n");
   EXPECT_EQ(0, run.status);
   EXPECT_EQ(3, warningsIn(run.err)) << run.err;
   for (const char* word : {"my.ini", "minClearence", "maxRange", "[other]"})
     EXPECT_TRUE(contains(run.err, word)) << word << " in " << run.err;
   EXPECT_EQ(3, std::count(run.err.begin(), run.err.end(), '\n')) << run.err;
+}
+
+TEST_F(IniFile, theOldNameOfASectionIsReadAndNamedInAWarning)
+{
+  const auto run = convertWith("[insertion]\nmaxrange = 3\n");
+  EXPECT_EQ(0, run.status);
+  EXPECT_EQ(1, warningsIn(run.err)) << run.err;
+  EXPECT_TRUE(contains(run.err, "[insertion] is now called [voxelInsertion]")) << run.err;
+  const auto bad = convertWith("[insertion]\nmaxrange = far\n");
+  EXPECT_EQ(1, bad.status) << "its keys count";
+  EXPECT_TRUE(contains(bad.err, "section 'insertion': maxrange = 'far'")) << bad.err;
+}
+
+TEST_F(IniFile, theOldNameBesideTheNewOneHasNoEffectAndThatIsSaid)
+{
+  const auto run = convertWith("[insertion]\nmaxrange = far\n[voxelInsertion]\nmaxrange = 3\n");
+  EXPECT_EQ(0, run.status) << run.err;
+  EXPECT_EQ(1, warningsIn(run.err)) << run.err;
+  EXPECT_TRUE(contains(run.err, "[insertion] has no effect beside [voxelInsertion]")) << run.err;
 }
 
 TEST_F(IniFile, badValuesAreErrorsThatNameFileSectionKeyAndValue)
@@ -87,8 +108,8 @@ TEST_F(IniFile, badValuesAreErrorsThatNameFileSectionKeyAndValue)
       {"conversion", "minClearance", "-1"},     {"conversion", "maxSlope", "nan"},
       {"conversion", "minOccupancy", "1.5"},    {"conversion", "slopeWindow", "0"},
       {"conversion", "slopeWindow", "1.5"},     {"conversion", "robot", "submarine"},
-      {"insertion", "maxrange", "far"},         {"insertion", "probHit", "1.7"},
-      {"insertion", "pruning", "perhaps"}};
+      {"voxelInsertion", "maxrange", "far"},    {"voxelInsertion", "probHit", "1.7"},
+      {"voxelInsertion", "pruning", "perhaps"}};
   for (const auto& [section, key, value] : cases)
   {
     const auto run = convertWith("[" + section + "]\n" + key + " = " + value + "\n");

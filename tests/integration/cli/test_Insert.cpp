@@ -25,7 +25,8 @@ const double kHitOnce = 1 / (1 + std::exp(-35 / 16.0));
 
 /** With cells of 0.5 m and lines along the axes only, all that is known lies on the line y = 0. */
 const std::string kIni =
-    "[map]\nresolution = 0.5\n[insertion]\nsectors = 4\nstructureMinZ = 2.2\nstructureMaxZ = 2.6\n"
+    "[map]\nresolution = 0.5\n[scanInsertion]\nsectors = 4\nstructureMinZ = 2.2\nstructureMaxZ = "
+    "2.6\n"
     "pHit = 0.9\npMiss = 0.35\npMin = 0.03\npMax = 0.97\n";
 
 /** A chair in cell 3, a wall in cell 6 that reaches up to the ceiling, a ghost behind it in cell
@@ -360,7 +361,8 @@ TEST(InsertRealData, mrptsOwnLogs)
   {
     ASSERT_TRUE(std::filesystem::exists(folder + name + ".rawlog")) << name;
     const TempDir dir;
-    std::ofstream(dir.path("low.ini")) << "[insertion]\nobjectMinZ = -0.5\nreflectionFilter = 0\n";
+    std::ofstream(dir.path("low.ini"))
+        << "[scanInsertion]\nobjectMinZ = -0.5\nreflectionFilter = 0\n";
     const auto run = mapconv({"insert", folder + name + ".rawlog", "-o", dir.path("out"), "--json",
                               "-c", dir.path("low.ini")});
     ASSERT_EQ(0, run.status) << run.err;

@@ -53,33 +53,52 @@ std::string textOf(const TScanInsertionOptions& options)
 
 }  // namespace
 
+TEST_F(InsertInput, theOldNameOfTheSectionIsReadAndNamedInAWarning)
+{
+  const std::string keys = "structureMinZ = 2.2\nstructureMaxZ = 2.6\nsectors = 4\n";
+  const auto now = insertWith("[scanInsertion]\n" + keys),
+             before = insertWith("[insertion]\n" + keys);
+  ASSERT_EQ(0, now.status) << now.err;
+  ASSERT_EQ(0, before.status) << before.err;
+  EXPECT_EQ(warningsIn(now.err) + 1, warningsIn(before.err)) << before.err;
+  EXPECT_TRUE(contains(before.err, "[insertion] is now called [scanInsertion]")) << before.err;
+  for (const char* key : {"sectors", "structureMinZ"})
+    EXPECT_EQ(parseJson(now.out)["parameters"][key].number,
+              parseJson(before.out)["parameters"][key].number)
+        << key;
+  EXPECT_EQ(4, parseJson(before.out)["parameters"]["sectors"].number);
+}
+
 TEST_F(InsertInput, theFilterNeedsAStructureSliceAndTheErrorSaysHowToGiveIt)
 {
   const std::vector<std::string> ways = {"--structure", "structureMinZ", "structureMaxZ",
-                                         "[insertion]", "--no-reflection-filter"};
+                                         "[scanInsertion]", "--no-reflection-filter"};
   auto run = insert("chair.rawlog", {});
   EXPECT_EQ(2, run.status);
   expectWords(run, ways);
-  for (const char* ini : {"[map]\nresolution = 0.1\n", "[insertion]\nreflectionFilter = true\n"})
+  for (const char* ini :
+       {"[map]\nresolution = 0.1\n", "[scanInsertion]\nreflectionFilter = true\n"})
   {
     run = insertWith(ini);
     EXPECT_EQ(2, run.status) << ini;
     expectWords(run, ways);
   }
-  run = insertWith("[insertion]\nstructureMinZ = 2.2\n");
+  run = insertWith("[scanInsertion]\nstructureMinZ = 2.2\n");
   EXPECT_EQ(1, run.status);
-  expectWords(run, {"my.ini", "insertion", "structureMaxZ is missing"});
+  expectWords(run, {"my.ini", "scanInsertion", "structureMaxZ is missing"});
   expectNothingWritten();
   for (const auto& flags : {std::vector<std::string>{"--structure", "2.2", "2.6"},
                             std::vector<std::string>{"--no-reflection-filter"}})
-    EXPECT_EQ(0, insertWith("[insertion]\nreflectionFilter = true\n", flags).status) << flags[0];
-  EXPECT_EQ(0, insertWith("[insertion]\nreflectionFilter = false\n").status);
+    EXPECT_EQ(0, insertWith("[scanInsertion]\nreflectionFilter = true\n", flags).status)
+        << flags[0];
+  EXPECT_EQ(0, insertWith("[scanInsertion]\nreflectionFilter = false\n").status);
 }
 
 TEST_F(InsertInput, iniSetsAndFlagsWin)
 {
   const std::string ini =
-      "[map]\nresolution = 0.25 // comment\n[insertion]\nmodel = closestPoint\nobjectMinZ = 0.1\n"
+      "[map]\nresolution = 0.25 // comment\n[scanInsertion]\nmodel = closestPoint\nobjectMinZ = "
+      "0.1\n"
       "robotHeight = 1.8 ; comment\nstructureMinZ = 2\nstructureMaxZ = 2.5\nmaxRange = 7\n";
   auto run = insertWith(ini);
   ASSERT_EQ(0, run.status) << run.err;
@@ -116,7 +135,7 @@ TEST_F(InsertInput, theShippedFileHoldsTheDefaults)
   EXPECT_EQ(parseJson(without.out)["resolution"].number, parseJson(with.out)["resolution"].number);
 
   TScanInsertionOptions shipped, defaults;
-  shipped.loadFromConfigFile(mrpt::config::CConfigFile(file), "insertion");
+  shipped.loadFromConfigFile(mrpt::config::CConfigFile(file), "scanInsertion");
   // what the file says is not the default
   defaults.profile.structureMinZ = shipped.profile.structureMinZ;
   defaults.profile.structureMaxZ = shipped.profile.structureMaxZ;
@@ -128,11 +147,13 @@ TEST_F(InsertInput, theShippedFileHoldsTheDefaults)
 TEST_F(InsertInput, typosAreNamedInAWarning)
 {
   const auto run = insertWith(
-      "[insertion]\nreflectionFilter = false\nmaxrnge = 3\n[map]\nresolutoin = 1\n[conversion]\n"
+      "[scanInsertion]\nreflectionFilter = false\nmaxrnge = 3\n[map]\nresolutoin = "
+      "1\n[conversion]\n"
       "minClearance = 1\n");
   EXPECT_EQ(0, run.status);
   EXPECT_EQ(3, warningsIn(run.err)) << run.err;
-  for (const char* word : {"my.ini", "maxrnge", "resolutoin", "[conversion]", "[insertion] and"})
+  for (const char* word :
+       {"my.ini", "maxrnge", "resolutoin", "[conversion]", "[scanInsertion] and"})
     EXPECT_TRUE(contains(run.err, word)) << word << " in " << run.err;
 }
 
@@ -142,23 +163,23 @@ TEST_F(InsertInput, badIniValuesAreErrorsThatNameFileSectionKeyAndValue)
       {"map", "resolution", "0"},
       {"map", "resolution", "fine"},
       {"map", "maxGridCells", "0.5"},
-      {"insertion", "model", "nearest"},
-      {"insertion", "objectMinZ", "2"},
-      {"insertion", "robotHeight", "tall"},
-      {"insertion", "reflectionFilter", "perhaps"},
-      {"insertion", "structureMaxZ", "2.1"},
-      {"insertion", "maxRange", "-3"},
-      {"insertion", "sectors", "1.5"},
-      {"insertion", "pHit", "0.4"},
-      {"insertion", "insert2D", "2"},
-      {"insertion", "maxDistanceInsertion", "0"}};
+      {"scanInsertion", "model", "nearest"},
+      {"scanInsertion", "objectMinZ", "2"},
+      {"scanInsertion", "robotHeight", "tall"},
+      {"scanInsertion", "reflectionFilter", "perhaps"},
+      {"scanInsertion", "structureMaxZ", "2.1"},
+      {"scanInsertion", "maxRange", "-3"},
+      {"scanInsertion", "sectors", "1.5"},
+      {"scanInsertion", "pHit", "0.4"},
+      {"scanInsertion", "insert2D", "2"},
+      {"scanInsertion", "maxDistanceInsertion", "0"}};
   for (const auto& [section, key, value] : cases)
   {
     std::string slice = "structureMinZ = 2.2\n";
     if (key != "structureMaxZ") slice += "structureMaxZ = 2.6\n";
     const std::string line = key + " = " + value + "\n";
     const auto run =
-        insertWith("[insertion]\n" + slice + (section == "map" ? "[map]\n" + line : line));
+        insertWith("[scanInsertion]\n" + slice + (section == "map" ? "[map]\n" + line : line));
     EXPECT_EQ(1, run.status) << key << " " << value;
     expectWords(run, {"my.ini", section, key, value});
     expectNothingWritten();
@@ -206,7 +227,7 @@ TEST_F(InsertInput, structureTakesTwoHeightsAndLeavesTheInputAlone)
 
 TEST_F(InsertInput, cellsTooFineForMaxRangeAreNamedBeforeTheLogIsRead)
 {
-  const std::string filter = "[insertion]\nreflectionFilter = false\n";
+  const std::string filter = "[scanInsertion]\nreflectionFilter = false\n";
   std::ofstream(m_dir.path("fine.ini")) << "[map]\nresolution = 0.001\n" << filter;
   std::ofstream(m_dir.path("far.ini")) << filter << "maxRange = 700\n";
   struct Case
@@ -248,9 +269,9 @@ TEST_F(InsertInput, allParametersAreInTheSummary)
 {
   TScanInsertionOptions defaults;
   mrpt::config::CConfigFileMemory ini;
-  defaults.saveToConfigFile(ini, "insertion");
+  defaults.saveToConfigFile(ini, "scanInsertion");
   std::vector<std::string> keys;
-  ini.getAllKeys("insertion", keys);
+  ini.getAllKeys("scanInsertion", keys);
   EXPECT_GE(keys.size(), 14U);
   const auto run = insert("chair.rawlog", {"--no-reflection-filter"});
   const JsonValue json = parseJson(run.out);
@@ -272,7 +293,7 @@ TEST_F(InsertInput, theSummaryHasTheValuesAndNamesThoseThatAreNotTheDefault)
       {"pMin", 0.0625},          {"pMax", 0.9375},
       {"structureMinZ", 2.0625}, {"maxDistanceInsertion", 7.5},
       {"structureMaxZ", 2.5}};
-  std::string ini = "[map]\nmaxGridCells = 1e6\n[insertion]\ninsert2D = false\n";
+  std::string ini = "[map]\nmaxGridCells = 1e6\n[scanInsertion]\ninsert2D = false\n";
   for (const auto& [key, value] : values)
     if (key != "maxGridCells") ini += key + " = " + std::to_string(value) + "\n";
   // std::to_string() writes 360.000000, which is no whole number

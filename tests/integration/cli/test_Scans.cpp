@@ -116,7 +116,7 @@ TEST(Scans, insertionOptionsComeFromTheIniFile)
 {
   const TempDir dir;
   writeObjects(dir.path("one.rawlog"), {lookDown(0)});
-  std::ofstream(dir.path("near.ini")) << "[insertion]\nmaxrange = 1.5\n";
+  std::ofstream(dir.path("near.ini")) << "[voxelInsertion]\nmaxrange = 1.5\n";
   const auto run = mapconv({"convert", dir.path("one.rawlog"), "-o", dir.path("out"), "-c",
                             dir.path("near.ini"), "--json", "--max-step", "0.1"});
   ASSERT_EQ(0, run.status) << run.err;

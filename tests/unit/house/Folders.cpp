@@ -71,6 +71,9 @@ void checkCommands(const fs::path& root, Complaints& complaints)
       if (const auto right = fs::path("command") / fileOf(subcommand); name != right)
         complaints.push_back(place + ": subcommand " + subcommand + " belongs into " +
                              right.string());
+    if (const auto used = allMatches(textOf(file), "^#include \"(command/[^\"]*)\"");
+        !used.empty() && name.parent_path() != "command" && name != "main.cpp")
+      complaints.push_back(place + ": includes " + used.front() + ", above which is only main.cpp");
     if (name.parent_path() == "command" && subcommands.empty() && name != "command/Command.h")
       complaints.push_back(place + ": declares no subcommand");
   }

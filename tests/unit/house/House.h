@@ -38,7 +38,8 @@ using Complaints = std::vector<std::string>;
 Complaints complaintsAboutLibrary(const std::filesystem::path& root, const Floors& floors);
 
 /** Entries of the top level that have no place there; folders and files of apps that are not
- * command, input, output or experiment; subcommands that do not have a file of their name, alone;
+ * command, input, output or experiment; subcommands that do not have a file of their name, alone,
+ * and what includes command but is not main.cpp;
  * folders of config that are neither worlds, experiments nor a class that is registered with MRPT;
  * folders of tests/unit that are no room; tests that are built with the program's sources. */
 Complaints complaintsAboutFolders(const std::filesystem::path& root, const Floors& floors);

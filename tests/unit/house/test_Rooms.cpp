@@ -36,9 +36,9 @@ class Tree
     write(".gitignore", "/build*/\n/demo/\n");
     for (const char* file :
          {"CMakeLists.txt", "README.md", "LICENSE", ".clang-format", "build-x/a", "demo/b",
-          "apps/CMakeLists.txt", "apps/mapconv/main.cpp", "config/worlds/a.ini",
-          "config/experiments/b.ini", "config/pots/c.ini", "tests/unit/kitchen/test_Pot.cpp",
-          "tests/unit/sim/test_World.cpp", "tests/unit/house/test_Rooms.cpp"})
+          "apps/CMakeLists.txt", "config/worlds/a.ini", "config/experiments/b.ini",
+          "config/pots/c.ini", "tests/unit/kitchen/test_Pot.cpp", "tests/unit/sim/test_World.cpp",
+          "tests/unit/house/test_Rooms.cpp"})
       write(file, "");
     header("cellar", "Wine", "");
     header("kitchen", "Pot", "#include <mrpt_mapconv/cellar/Wine.h>\n");
@@ -51,6 +51,7 @@ class Tree
     source("maps/CPots.cpp",
            "#include <mrpt_mapconv/maps/CPots.h>\n"
            "MAP_DEFINITION_REGISTER(\"mrpt_mapconv::CPots,pots\",\n  mrpt_mapconv::CPots)\n");
+    write("apps/mapconv/main.cpp", "#include \"command/Command.h\"\n");
     write("apps/mapconv/command/Command.h", "");
     write("apps/mapconv/command/CookSoup.cpp", "app.add_subcommand(\n  \"cook-soup\", \"Soup\");");
   }
@@ -227,10 +228,13 @@ TEST(MadeUpHouse, ASubcommandHasAFileOfItsName)
              "add_subcommand(\"cook-soup\")\nadd_subcommand(\"eat\")\n");
   tree.write("apps/mapconv/command/Helper.cpp", "");
   tree.write("apps/mapconv/input/Wash.cpp", "add_subcommand(\"wash\")\n");
+  tree.write("apps/mapconv/output/Dish.cpp", "#include \"command/Command.h\"\n");
   EXPECT_EQ(lines(tree.complaints()),
             "apps/mapconv/command/CookSoup.cpp: subcommand eat belongs into command/Eat.cpp\n"
             "apps/mapconv/command/Helper.cpp: declares no subcommand\n"
-            "apps/mapconv/input/Wash.cpp: subcommand wash belongs into command/Wash.cpp\n");
+            "apps/mapconv/input/Wash.cpp: subcommand wash belongs into command/Wash.cpp\n"
+            "apps/mapconv/output/Dish.cpp: includes command/Command.h, above which is only "
+            "main.cpp\n");
 }
 
 TEST(MadeUpHouse, APageWithoutAFullTableIsRefused)

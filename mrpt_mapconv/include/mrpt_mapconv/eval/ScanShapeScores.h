@@ -1,8 +1,8 @@
 #pragma once
 
+#include <mrpt_mapconv/eval/DriveHistory.h>
 #include <mrpt_mapconv/eval/LabelScore.h>
 #include <mrpt_mapconv/eval/MapRegion.h>
-#include <mrpt_mapconv/eval/ScanShapeHistory.h>
 #include <mrpt_mapconv/grid/Layer.h>
 #include <mrpt_mapconv/sim/Scenario.h>
 

@@ -1,5 +1,5 @@
 #include <mrpt/math/TPoint3D.h>
-#include <mrpt_mapconv/eval/ScanShapeHistory.h>
+#include <mrpt_mapconv/eval/DriveHistory.h>
 #include <mrpt_mapconv/grid/CellKey.h>
 
 #include <cmath>

@@ -1,5 +1,5 @@
 #include <gtest/gtest.h>
-#include <mrpt_mapconv/eval/ScanShapeHistory.h>
+#include <mrpt_mapconv/eval/DriveHistory.h>
 
 #include "HandMadeScans.h"
 
@@ -40,7 +40,7 @@ class History
 };
 }  // namespace
 
-TEST(ScanShapeHistory, APersonMustHaveFadedAfterTenScansThatSayFree)
+TEST(DriveHistory, APersonMustHaveFadedAfterTenScansThatSayFree)
 {
   History history;
   history.add(kPerson);
@@ -55,7 +55,7 @@ TEST(ScanShapeHistory, APersonMustHaveFadedAfterTenScansThatSayFree)
   }
 }
 
-TEST(ScanShapeHistory, AnotherPersonStartsTheCountAgain)
+TEST(DriveHistory, AnotherPersonStartsTheCountAgain)
 {
   History history;
   history.add(kPerson);
@@ -70,7 +70,7 @@ TEST(ScanShapeHistory, AnotherPersonStartsTheCountAgain)
   EXPECT_EQ(1u, history.traces().notFaded);
 }
 
-TEST(ScanShapeHistory, WhatSomethingElseHasHitSinceIsNoTraceOfAPerson)
+TEST(DriveHistory, WhatSomethingElseHasHitSinceIsNoTraceOfAPerson)
 {
   History history;
   history.add(kPerson);
@@ -88,14 +88,14 @@ TEST(ScanShapeHistory, WhatSomethingElseHasHitSinceIsNoTraceOfAPerson)
   EXPECT_EQ(0u, history.traces().hitByOthers);
 }
 
-TEST(ScanShapeHistory, APersonAndSomethingElseInOneScanIsAPerson)
+TEST(DriveHistory, APersonAndSomethingElseInOneScanIsAPerson)
 {
   History history;
   history.add({{kPlace, "person.anna"}, {kPlace, "box.crate"}});
   EXPECT_TRUE(history.at(kPlace).hitByPerson);
 }
 
-TEST(ScanShapeHistory, ScansBeforeThePersonDoNotCount)
+TEST(DriveHistory, ScansBeforeThePersonDoNotCount)
 {
   History history;
   history.add(kFreeBefore, 30);
@@ -105,7 +105,7 @@ TEST(ScanShapeHistory, ScansBeforeThePersonDoNotCount)
   EXPECT_EQ(0u, history.traces().notFaded);
 }
 
-TEST(ScanShapeHistory, TracesAreCountedStepByStep)
+TEST(DriveHistory, TracesAreCountedStepByStep)
 {
   History history;
   history.add({{9, "person.anna"}, {10, "person.anna"}, {11, "person.anna"}});
@@ -123,7 +123,7 @@ TEST(ScanShapeHistory, TracesAreCountedStepByStep)
   EXPECT_EQ(2u, twice.notFaded);
 }
 
-TEST(ScanShapeHistory, OnlyReturnsThatTheProfileCanHaveCount)
+TEST(DriveHistory, OnlyReturnsThatTheProfileCanHaveCount)
 {
   History history;
   history.add({{kPlace, "person.anna", false, 1.6}, {kPlace, "person.anna", false, 0.02}});
@@ -134,7 +134,7 @@ TEST(ScanShapeHistory, OnlyReturnsThatTheProfileCanHaveCount)
   EXPECT_EQ(0u, history.traces().seen);
 }
 
-TEST(ScanShapeHistory, GhostsOfPeopleAreTracesToo)
+TEST(DriveHistory, GhostsOfPeopleAreTracesToo)
 {
   History history;
   history.add({{kPlace, "person.anna", true}, {12, "box.crate"}, {14, "box.crate", true}});

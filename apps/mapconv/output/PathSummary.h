@@ -1,0 +1,19 @@
+#pragma once
+
+#include <mrpt_mapconv/path/LiftPath.h>
+
+#include <string>
+
+#include "output/Json.h"
+
+namespace mapconv
+{
+/** A path as a CSV file with the header x,y,z and a point a line [m]. */
+std::string pathCsv(const mrpt_mapconv::path::LiftedPath& path);
+
+/** What became of a path: points, heights, what decided them. @{ */
+std::string pathText(const mrpt_mapconv::path::LiftedPath& path);
+JsonObject pathJson(const mrpt_mapconv::path::LiftedPath& path);
+/** @} */
+
+}  // namespace mapconv
