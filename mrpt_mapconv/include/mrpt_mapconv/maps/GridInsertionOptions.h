@@ -3,11 +3,11 @@
 #include <mrpt/maps/COccupancyGridMap2D.h>
 #include <mrpt_mapconv/params/Fields.h>
 
-namespace mrpt_mapconv::params
+namespace mrpt_mapconv
 {
 /** The list of COccupancyGridMap2D's insertion options, with its names and units. */
 template <>
-struct FieldsOf<mrpt::maps::COccupancyGridMap2D::TInsertionOptions>
+struct params::FieldsOf<mrpt::maps::COccupancyGridMap2D::TInsertionOptions>
 {
   template <class S, class V>
   static void visit(S& o, V&& v)
@@ -23,8 +23,8 @@ struct FieldsOf<mrpt::maps::COccupancyGridMap2D::TInsertionOptions>
       "what a cell along an invalid 2D ray is worth; 0 = maxOccupancyUpdateCertainty");
     v("considerInvalidRangesAsFreeSpace", o.considerInvalidRangesAsFreeSpace, "",
       "whether invalid 2D rays say anything");
-    v("decimation", o.decimation, "", "every how manieth 2D ray is used");
-    v("horizontalTolerance", Degrees(o.horizontalTolerance), "degrees",
+    v("decimation", o.decimation, "", "of so many 2D rays one is used");
+    v("horizontalTolerance", params::Degrees(o.horizontalTolerance), "degrees",
       "how far a 2D scan may be from level");
     v("CFD_features_gaussian_size", o.CFD_features_gaussian_size, "cells",
       "for MRPT's landmarks of grids");
@@ -34,7 +34,7 @@ struct FieldsOf<mrpt::maps::COccupancyGridMap2D::TInsertionOptions>
       "whether 2D rays widen with their distance");
   }
 };
-}  // namespace mrpt_mapconv::params
+}  // namespace mrpt_mapconv
 
 namespace mrpt_mapconv::maps
 {
