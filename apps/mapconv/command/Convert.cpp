@@ -2,8 +2,7 @@
 #include <mrpt_mapconv/files/OutputDir.h>
 #include <mrpt_mapconv/freespace/Conversion.h>
 #include <mrpt_mapconv/freespace/LayerFiles.h>
-#include <mrpt_mapconv/grid/GridMap.h>
-#include <mrpt_mapconv/grid/RosMap.h>
+#include <mrpt_mapconv/grid/LayerExport.h>
 #include <mrpt_mapconv/voxel/OctreeFile.h>
 #include <octomap/AbstractOccupancyOcTree.h>
 
@@ -36,29 +35,14 @@ struct ConvertOptions : InputOptions
 void writeOutputs(const freespace::Layers& layers, const ConversionParams& params,
                   const InputMap& input, files::OutputDir& out, Progress& progress)
 {
-  std::vector<std::function<void()>> jobs;
-  jobs.emplace_back([&] { freespace::writeLayersTiff(out.path("layers.tif"), layers, params); });
-  jobs.emplace_back([&] { voxel::writeOctreeFile(out.path("voxels.bt"), input.octree()); });
-  for (const auto& [name, layer] : layers.named())
-    jobs.emplace_back([&, name = name]
-                      { freespace::writeLayerPicture(out.path(name + ".png"), layers, name); });
-  for (const std::string name : {"aerial", "ground"})
-  {
-    const auto& layer = name == "aerial" ? layers.aerial : layers.ground;
-    jobs.emplace_back([&, name] { grid::writeGridMap(out.path(name + ".gridmap"), layer); });
-    jobs.emplace_back(
-        [&, name] {
-          grid::writeRosMap(out.path(name + ".pgm"), out.path(name + ".yaml"), name + ".pgm",
-                            layer);
-        });
-  }
-  jobs.emplace_back([&] { writeScene(out.path("map.3Dscene"), layers); });
-
-  for (std::size_t i = 0; i < jobs.size(); ++i)
-  {
-    jobs[i]();
-    progress.done(static_cast<double>(i + 1) / static_cast<double>(jobs.size()));
-  }
+  grid::ExportFormats formats{"layers.tif", freespace::metadataOf(params)};
+  formats.pictures = formats.gridMaps = formats.rosMaps = true;
+  voxel::writeOctreeFile(out.path("voxels.bt"), input.octree());
+  constexpr double kLayersShare = 0.9;
+  grid::exportLayers(out, layers.styled(), formats,
+                     [&](double share) { progress.done(kLayersShare * share); });
+  writeScene(out.path("map.3Dscene"), layers);
+  progress.done(1);
 }
 
 void warnAbout(const freespace::LayerStatistics& counts, const ConversionParams& params,

@@ -1,12 +1,11 @@
 #include <mrpt/core/format.h>
 #include <mrpt_mapconv/files/ObjectWriter.h>
 #include <mrpt_mapconv/files/OutputDir.h>
-#include <mrpt_mapconv/grid/GeoTiff.h>
 #include <mrpt_mapconv/grid/GridMap.h>
-#include <mrpt_mapconv/grid/LayerPicture.h>
+#include <mrpt_mapconv/grid/LayerExport.h>
 #include <mrpt_mapconv/grid/OccupancyCell.h>
-#include <mrpt_mapconv/grid/RosMap.h>
 #include <mrpt_mapconv/params/Require.h>
+#include <mrpt_mapconv/scan/ProfileSummary.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -123,20 +122,21 @@ void writeGrid(const std::string& path, const CScanShapeGridMap2D& map,
   files::writeObject(path, plain);
 }
 
-grid::PictureStyle styleOf(const scan::ProfileParams& params)
+std::string titleOf(const scan::ProfileParams& params)
 {
-  return {"Occupancy between z = " + jsonNumber(params.objectMinZ) + " m and " +
-              jsonNumber(params.objectMaxZ) + " m, from 3D scans",
-          "", grid::PictureKind::Occupancy};
+  return "Occupancy between z = " + jsonNumber(params.objectMinZ) + " m and " +
+         jsonNumber(params.objectMaxZ) + " m, from 3D scans";
 }
 
 void writeOutputs(const Result& map, const ScanInserter& inserter, files::OutputDir& out)
 {
-  grid::writeGeoTiff(out.path("map.tif"), {{"occupancy", &map.probability}});
+  grid::ExportFormats formats;
+  formats.pictures = formats.rosMaps = true;
+  const auto title = titleOf(inserter.settings().insertion.profile);
+  grid::exportLayers(out, {{"occupancy", &map.probability}}, {"map.tif"});
+  grid::exportLayers(out, {{"map", &map.occupancy, title, "", grid::LayerKind::Occupancy}},
+                     formats);
   writeGrid(out.path("map.gridmap"), inserter.map(), map.occupancy);
-  grid::writeRosMap(out.path("map.pgm"), out.path("map.yaml"), "map.pgm", map.occupancy);
-  grid::writeLayerPng(out.path("map.png"), map.occupancy,
-                      styleOf(inserter.settings().insertion.profile));
 }
 
 std::string textSummary(const SummaryHead& head, const Result& map, const ScanInserter& inserter,
@@ -146,7 +146,7 @@ std::string textSummary(const SummaryHead& head, const Result& map, const ScanIn
   const InsertionFigures& figures = inserter.figures();
   std::string text = headText(head);
   text += countsText("map", countsOf(map.occupancy));
-  text += "model        " + settingsText(params) + "\n";
+  text += "model        " + scan::summaryOf(params) + "\n";
   const std::string changed = changedText(inserter.settings());
   if (!changed.empty()) text += "not default  " + changed + "\n";
   text += mrpt::format("inserted     %zu 3D scans with %zu points, %zu 2D scans\n", figures.scans3D,

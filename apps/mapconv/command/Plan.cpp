@@ -44,13 +44,12 @@ void writeOutputs(const PlanOptions& options, const MapFolder& map, const planni
   const std::filesystem::path file = options.outputFile;
   const std::string stem = file.stem().string();
   const bool ground = options.robot == "ground";
-  grid::PictureStyle style{"Path of the " + options.robot + " robot", "",
-                           grid::PictureKind::Occupancy, flat(way.path)};
-  style.pathLabel = mrpt::format("path, %.1f m, from the ring to the disc", way.length);
-  const auto& layers = map.layers();
+  auto picture = map.layers().styled(ground ? "ground" : "aerial");
+  picture.title = "Path of the " + options.robot + " robot";
+  const grid::PicturePath path{flat(way.path),
+                               mrpt::format("path, %.1f m, from the ring to the disc", way.length)};
   files::writeFile(out.path(file.filename().string()), pathCsv(way.path));
-  grid::writeLayerPng(out.path(stem + ".png"), ground ? layers.ground : layers.aerial, style,
-                      ground ? &layers.aerial : nullptr);
+  grid::writeLayerPng(out.path(stem + ".png"), picture, path);
   writePathScene(out.path(stem + ".3Dscene"), map, way.path);
 }
 

@@ -1,9 +1,6 @@
 #include <mrpt_mapconv/files/OutputDir.h>
 #include <mrpt_mapconv/freespace/FixedProjection.h>
-#include <mrpt_mapconv/grid/GeoTiff.h>
-#include <mrpt_mapconv/grid/GridMap.h>
-#include <mrpt_mapconv/grid/LayerPicture.h>
-#include <mrpt_mapconv/grid/RosMap.h>
+#include <mrpt_mapconv/grid/LayerExport.h>
 
 #include <CLI/CLI.hpp>
 #include <memory>
@@ -29,14 +26,11 @@ struct ProjectOptions : InputOptions
 void writeOutputs(const grid::Layer<float>& layer, const ProjectOptions& options,
                   files::OutputDir& out)
 {
-  const grid::PictureStyle style{"Occupancy between z = " + jsonNumber(options.zMin) + " m and " +
-                                     jsonNumber(options.zMax) + " m",
-                                 "", grid::PictureKind::Occupancy};
-  grid::writeGeoTiff(out.path("projection.tif"), {{"projection", &layer}});
-  grid::writeGridMap(out.path("projection.gridmap"), layer);
-  grid::writeRosMap(out.path("projection.pgm"), out.path("projection.yaml"), "projection.pgm",
-                    layer);
-  grid::writeLayerPng(out.path("projection.png"), layer, style);
+  const std::string title = "Occupancy between z = " + jsonNumber(options.zMin) + " m and " +
+                            jsonNumber(options.zMax) + " m";
+  grid::ExportFormats formats{"projection.tif"};
+  formats.pictures = formats.gridMaps = formats.rosMaps = true;
+  grid::exportLayers(out, {{"projection", &layer, title, "", grid::LayerKind::Occupancy}}, formats);
 }
 
 std::string summary(const ProjectOptions& options, const InputMap& input,

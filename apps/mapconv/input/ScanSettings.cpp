@@ -149,22 +149,4 @@ std::string changedText(const ScanSettings& settings)
   return changed;
 }
 
-JsonObject settingsJson(const scan::ProfileParams& params)
-{
-  JsonObject json;
-  addFields(params, json);
-  return json;
-}
-
-std::string settingsText(const scan::ProfileParams& params)
-{
-  const auto range = [](double low, double high)
-  { return jsonNumber(low) + " to " + jsonNumber(high) + " m"; };
-  return params::textOf(params.model) + ", objects from " +
-         range(params.objectMinZ, params.objectMaxZ) +
-         (params.reflectionFilter
-              ? ", walls from " + range(params.structureMinZ, params.structureMaxZ)
-              : std::string(", no reflection filter"));
-}
-
 }  // namespace mapconv

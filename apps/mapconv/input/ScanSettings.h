@@ -40,8 +40,5 @@ ScanSettings readScanSettings(const std::string& iniFile, const ScanFlags& flags
 JsonObject settingsJson(const ScanSettings& settings);
 /** Those of them that are not the default, as "key = value, key = value". */
 std::string changedText(const ScanSettings& settings);
-/** The part of them that says what a scan shows; and the gist of it, for people. */
-JsonObject settingsJson(const mrpt_mapconv::scan::ProfileParams& params);
-std::string settingsText(const mrpt_mapconv::scan::ProfileParams& params);
 
 }  // namespace mapconv

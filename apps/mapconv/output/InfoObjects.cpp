@@ -7,8 +7,8 @@
 #include <mrpt/obs/CRawlog.h>
 #include <mrpt/obs/CSensoryFrame.h>
 #include <mrpt_mapconv/files/ObjectFile.h>
-#include <mrpt_mapconv/maps/CScanShapeGridMap2D.h>
 #include <mrpt_mapconv/maps/OctoMapAccess.h>
+#include <mrpt_mapconv/maps/SelfDescription.h>
 #include <mrpt_mapconv/observation/ObservationPoints.h>
 
 #include <algorithm>
@@ -16,8 +16,8 @@
 #include <optional>
 #include <set>
 #include <stdexcept>
+#include <variant>
 
-#include "input/ScanSettings.h"
 #include "output/InfoOctree.h"
 #include "output/InfoReport.h"
 
@@ -155,11 +155,14 @@ void describeGrid(const COccupancyGridMap2D& grid, InfoReport& report)
   report.json.add("free", free).add("occupied", occupied).add("unknown", unknown);
 }
 
-void describeScanSettings(const mrpt_mapconv::CScanShapeGridMap2D& map, InfoReport& report)
+void describeItself(const mrpt_mapconv::maps::SelfDescribing& map, InfoReport& report)
 {
-  const auto& params = map.scanInsertionOptions.profile;
-  report.line("model", settingsText(params));
-  report.json.add("parameters", settingsJson(params));
+  const auto description = map.describe();
+  for (const auto& [label, text] : description.lines) report.line(label, text);
+  JsonObject values;
+  for (const auto& [key, value] : description.values)
+    std::visit([&values, name = key](const auto& v) { values.add(name, v); }, value);
+  report.json.add(description.name, values);
 }
 
 void describeObject(const CSerializable& object, InfoReport& report)
@@ -169,9 +172,11 @@ void describeObject(const CSerializable& object, InfoReport& report)
   if (const auto* tree = mrpt_mapconv::maps::octreeIn(object))
     describeOctree(*tree, report);
   else if (const auto* grid = dynamic_cast<const COccupancyGridMap2D*>(&object))
+  {
     describeGrid(*grid, report);
-  if (const auto* map = dynamic_cast<const mrpt_mapconv::CScanShapeGridMap2D*>(&object))
-    describeScanSettings(*map, report);
+    if (const auto* ours = dynamic_cast<const mrpt_mapconv::maps::SelfDescribing*>(&object))
+      describeItself(*ours, report);
+  }
 }
 
 void describeLog(const LogCensus& census, InfoReport& report)

@@ -46,10 +46,10 @@ void setCamera(mrpt::opengl::COpenGLScene& scene, const GridFrame& frame, double
 
 mrpt::opengl::COpenGLScene sceneOf(const Layers& layers)
 {
-  const double below = mrpt_mapconv::freespace::heightBelow(layers);
+  const double below = mrpt_mapconv::grid::heightBelow(layers.floor);
   auto objects = mrpt::opengl::CSetOfObjects::Create();
   mrpt_mapconv::freespace::drawLayers(layers, {}, *objects);
-  mrpt_mapconv::freespace::drawOccupancy(layers.ground, below, false, *objects);
+  mrpt_mapconv::grid::drawOccupancy(layers.ground, below, false, *objects);
 
   mrpt::opengl::COpenGLScene scene;
   scene.insert(referenceGrid(layers.frame(), below - layers.frame().resolution));

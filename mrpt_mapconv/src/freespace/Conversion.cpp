@@ -1,4 +1,5 @@
 #include <mrpt_mapconv/freespace/Conversion.h>
+#include <mrpt_mapconv/grid/GrownFrame.h>
 
 #include <algorithm>
 #include <stdexcept>
@@ -145,19 +146,11 @@ void checkFrameSize(const grid::GridFrame& frame)
 
 grid::GridFrame grownFrame(const grid::GridFrame& frame, const grid::GridFrame& needed)
 {
-  grid::GridFrame out = unite(frame, needed);
-  checkFrameSize(out);
-  if (frame.empty()) return out;
-  const std::int32_t xSpare = out.width / 2, ySpare = out.height / 2;
-  const std::int32_t left = out.x0 < frame.x0 ? xSpare : 0;
-  const std::int32_t right = out.xEnd() > frame.xEnd() ? xSpare : 0;
-  const std::int32_t below = out.y0 < frame.y0 ? ySpare : 0;
-  const std::int32_t above = out.yEnd() > frame.yEnd() ? ySpare : 0;
-  out.x0 -= left;
-  out.y0 -= below;
-  out.width += left + right;
-  out.height += below + above;
-  return out.size() > kMaxCells ? unite(frame, needed) : out;
+  const grid::GridFrame least = unite(frame, needed);
+  checkFrameSize(least);
+  if (frame.empty()) return least;
+  return grid::grownFrame(frame, needed, {0.5},
+                          [](const grid::GridFrame& roomy) { return roomy.size() <= kMaxCells; });
 }
 
 grid::GridFrame frameOf(const voxel::VoxelSource& source)

@@ -4,14 +4,50 @@
 
 namespace mrpt_mapconv::freespace
 {
+const std::vector<Layers::Entry>& Layers::list()
+{
+  using Kind = grid::LayerKind;
+  static const std::vector<Entry> entries{
+      {&Layers::floor, "floor", "Floor: bottom of the lowest free range", "m", Kind::Height},
+      {&Layers::ceiling, "ceiling", "Ceiling: top of the highest free range", "m", Kind::Height},
+      {&Layers::slope, "slope", "Slope of the floor", "m/m", Kind::Slope},
+      {&Layers::aerial, "aerial", "Occupancy for an aerial robot", "", Kind::Occupancy},
+      {&Layers::ground, "ground", "Occupancy for a ground robot", "", Kind::Occupancy,
+       &Layers::aerial}};
+  return entries;
+}
+
+Layers::Layers(const grid::GridFrame& frame)
+{
+  for (const Entry& entry : list()) this->*entry.member = {frame, grid::unknownCell(entry.kind)};
+}
+
 Layers Layers::onFrame(const grid::GridFrame& frame) const
 {
   Layers out;
-  out.floor = floor.onFrame(frame, kNone);
-  out.ceiling = ceiling.onFrame(frame, kNone);
-  out.slope = slope.onFrame(frame, kNone);
-  out.aerial = aerial.onFrame(frame, grid::kUnknown);
-  out.ground = ground.onFrame(frame, grid::kUnknown);
+  for (const Entry& entry : list())
+    out.*entry.member = (this->*entry.member).onFrame(frame, grid::unknownCell(entry.kind));
+  return out;
+}
+
+std::vector<grid::StyledLayer> Layers::styled() const
+{
+  std::vector<grid::StyledLayer> out;
+  for (const Entry& entry : list())
+    out.push_back({entry.name, &(this->*entry.member), entry.title, entry.unit, entry.kind,
+                   entry.freeFor ? &(this->*entry.freeFor) : nullptr});
+  return out;
+}
+
+grid::StyledLayer Layers::styled(const std::string& name) const
+{
+  return grid::findLayer(styled(), name);
+}
+
+std::vector<std::pair<std::string, const grid::Layer<float>*>> Layers::named() const
+{
+  std::vector<std::pair<std::string, const grid::Layer<float>*>> out;
+  for (const Entry& entry : list()) out.emplace_back(entry.name, &(this->*entry.member));
   return out;
 }
 

@@ -22,10 +22,10 @@ struct CloseDataset
 };
 using Dataset = std::unique_ptr<GDALDataset, CloseDataset>;
 
-void checkBands(const std::string& path, const std::vector<NamedLayer>& bands)
+void checkBands(const std::string& path, const std::vector<StyledLayer>& bands)
 {
   if (bands.empty()) throw std::invalid_argument("GeoTIFF '" + path + "': no layers given");
-  for (const NamedLayer& band : bands)
+  for (const StyledLayer& band : bands)
   {
     if (band.layer->frame().empty())
       throw std::invalid_argument("GeoTIFF '" + path + "': layer '" + band.name + "' is empty");
@@ -70,7 +70,7 @@ Dataset openDataset(const std::string& path, const GdalErrors& errors)
   return dataset;
 }
 
-bool writeBand(GDALRasterBand& target, const NamedLayer& band)
+bool writeBand(GDALRasterBand& target, const StyledLayer& band)
 {
   target.SetDescription(band.name.c_str());
   if (target.SetNoDataValue(kNoData) != CE_None) return false;
@@ -134,7 +134,7 @@ void clearNoData(Layer<float>& layer, GDALRasterBand& band)
 }
 }  // namespace
 
-void writeGeoTiff(const std::string& path, const std::vector<NamedLayer>& bands,
+void writeGeoTiff(const std::string& path, const std::vector<StyledLayer>& bands,
                   const Metadata& metadata)
 {
   checkBands(path, bands);

@@ -72,19 +72,18 @@ Content occupancyContent(const Layer<float>& layer, const Layer<float>* aerial, 
   return content;
 }
 
-Content contentOf(const Layer<float>& layer, const PictureStyle& style, const Layer<float>* aerial,
-                  const Zoom& zoom, const Metrics& metrics)
+Content contentOf(const StyledLayer& styled, const Zoom& zoom, const Metrics& metrics)
 {
-  switch (style.kind)
+  switch (styled.kind)
   {
-    case PictureKind::Slope:
-      return slopeContent(layer, style.unit, zoom, metrics);
-    case PictureKind::Occupancy:
-      return occupancyContent(layer, aerial, zoom, metrics);
-    case PictureKind::Height:
+    case LayerKind::Slope:
+      return slopeContent(*styled.layer, styled.unit, zoom, metrics);
+    case LayerKind::Occupancy:
+      return occupancyContent(*styled.layer, styled.freeFor, zoom, metrics);
+    case LayerKind::Height:
       break;
   }
-  return heightContent(layer, style.unit, zoom, metrics);
+  return heightContent(*styled.layer, styled.unit, zoom, metrics);
 }
 
 /** "60 x 40 cells of 0.1 m; corners (-1.50, 2.00) and (4.50, 6.00) m" */
@@ -142,10 +141,11 @@ void drawPath(Canvas& canvas, const std::vector<mrpt::math::TPoint2D>& path, con
   canvas.disc(x(0), y(0), m.of(4), kPaper);
 }
 
-void checkLayers(const Layer<float>& layer, const Layer<float>* aerial)
+void checkLayers(const StyledLayer& styled)
 {
-  if (layer.frame().empty()) throw std::invalid_argument("picture: the layer has no cells");
-  if (aerial && aerial->frame() != layer.frame())
+  if (!styled.layer || styled.layer->frame().empty())
+    throw std::invalid_argument("picture: the layer has no cells");
+  if (styled.freeFor && styled.freeFor->frame() != styled.layer->frame())
     throw std::invalid_argument("picture: the aerial layer is on another frame than the layer");
 }
 
@@ -165,25 +165,25 @@ bool isCompletePng(const std::string& path)
 }
 }  // namespace
 
-mrpt::img::CImage drawLayer(const Layer<float>& layer, const PictureStyle& style,
-                            const Layer<float>* aerial)
+mrpt::img::CImage drawLayer(const StyledLayer& styled, const PicturePath& path)
 {
-  checkLayers(layer, aerial);
+  checkLayers(styled);
+  const Layer<float>& layer = *styled.layer;
   const Zoom zoom = zoomFor(layer.frame());
   const double pixelsPerCell = zoom.pixelsPerCell();
   const int longSide =
       static_cast<int>(std::max(layer.frame().width, layer.frame().height) * pixelsPerCell);
   constexpr int kLargePicture = 1500;  // seen as a whole on a screen, it is shown at half its size
   const Metrics m(longSide > kLargePicture ? 2 : 1);
-  Content content = contentOf(layer, style, aerial, zoom, m);
-  if (!style.path.empty()) content.legend.push_back(swatch(m, kPathColor, style.pathLabel));
+  Content content = contentOf(styled, zoom, m);
+  if (!path.points.empty()) content.legend.push_back(swatch(m, kPathColor, path.label));
   const Axes axes(m, layer.frame(), pixelsPerCell);
   const std::string description = describe(layer.frame());
 
   const int margin = m.of(24), gap = m.of(14);
   const int mapWidth = content.raster.width, mapHeight = content.raster.height;
   int inner = std::max({axes.leftMargin() + mapWidth + axes.rightMargin(), m.textWidth(description),
-                        m.textWidth(style.title, Font::Title), m.of(520)});
+                        m.textWidth(styled.title, Font::Title), m.of(520)});
   for (const LegendItem& item : content.legend) inner = std::max(inner, item.width);
 
   std::vector<LegendItem> items = content.legend;
@@ -198,28 +198,27 @@ mrpt::img::CImage drawLayer(const Layer<float>& layer, const PictureStyle& style
   const int mapX = margin + (inner - axesWidth) / 2 + axes.leftMargin();
 
   Canvas canvas(inner + 2 * margin, legendY + legend.height() + margin, m);
-  canvas.text(margin, titleY, style.title, kInk, Font::Title);
+  canvas.text(margin, titleY, styled.title, kInk, Font::Title);
   canvas.text(margin, descriptionY, description, kFaintInk);
   canvas.raster(mapX, mapY, content.raster);
   axes.draw(canvas, mapX, mapY, mapWidth, mapHeight);
-  drawPath(canvas, style.path, {layer.frame(), pixelsPerCell, mapX, mapY, mapHeight});
+  drawPath(canvas, path.points, {layer.frame(), pixelsPerCell, mapX, mapY, mapHeight});
   if (content.noData) drawNoData(canvas, mapX, mapY, mapWidth, mapHeight);
   legend.draw(canvas, margin, legendY);
   return canvas.image();
 }
 
-void writeLayerPng(const std::string& path, const Layer<float>& layer, const PictureStyle& style,
-                   const Layer<float>* aerial)
+void writeLayerPng(const std::string& file, const StyledLayer& layer, const PicturePath& path)
 {
-  if (!endsWith(path, ".png"))
-    throw std::invalid_argument("picture '" + path + "': the name must end in .png");
-  const mrpt::img::CImage image = drawLayer(layer, style, aerial);
-  files::writeFile(path, {});  // gives the system's own reason; MRPT only says whether it worked
-  if (!image.saveToFile(path) || !isCompletePng(path))
+  if (!endsWith(file, ".png"))
+    throw std::invalid_argument("picture '" + file + "': the name must end in .png");
+  const mrpt::img::CImage image = drawLayer(layer, path);
+  files::writeFile(file, {});  // gives the system's own reason; MRPT only says whether it worked
+  if (!image.saveToFile(file) || !isCompletePng(file))
   {
-    files::writeFile(path,
+    files::writeFile(file,
                      std::string(1U << 16U, '\0'));  // most likely the disk is full: let it say so
-    throw std::runtime_error("cannot write '" + path + "': the PNG is incomplete");
+    throw std::runtime_error("cannot write '" + file + "': the PNG is incomplete");
   }
 }
 

@@ -1,14 +1,13 @@
-#include <mrpt/system/CTimeLogger.h>
 #include <mrpt_mapconv/files/FileIo.h>
-#include <mrpt_mapconv/files/OutputDir.h>
 #include <mrpt_mapconv/freespace/LayerFiles.h>
+#include <mrpt_mapconv/grid/LayerExport.h>
 #include <mrpt_mapconv/maps/CFreeSpaceGridMap2D.h>
+#include <mrpt_mapconv/maps/GridSaving.h>
 #include <mrpt_mapconv/voxel/OctreeFile.h>
 #include <mrpt_mapconv/voxel/OctreeSource.h>
 #include <octomap/OcTree.h>
 
 #include <cmath>
-#include <filesystem>
 #include <sstream>
 #include <stdexcept>
 
@@ -18,32 +17,9 @@ using Base = mrpt::maps::COccupancyGridMap2D;
 
 uint8_t CFreeSpaceGridMap2D::serializeGetVersion() const { return 0; }
 
-/** The base class's options, in its own stream format, and those that this format leaves out. The
- * grid itself is not written: it follows from the octree. */
-void CFreeSpaceGridMap2D::writeBaseOptions(mrpt::serialization::CArchive& out) const
-{
-  Base carrier(-1.0f, 1.0f, -1.0f, 1.0f, 1.0f);
-  carrier.insertionOptions = insertionOptions;
-  carrier.likelihoodOptions = likelihoodOptions;
-  carrier.genericMapParams = genericMapParams;
-  out << carrier << likelihoodOptions.LF_useSquareDist
-      << insertionOptions.maxFreenessUpdateCertainty << insertionOptions.maxFreenessInvalidRanges;
-}
-
-void CFreeSpaceGridMap2D::readBaseOptions(mrpt::serialization::CArchive& in)
-{
-  Base carrier;
-  in >> carrier >> carrier.likelihoodOptions.LF_useSquareDist >>
-      carrier.insertionOptions.maxFreenessUpdateCertainty >>
-      carrier.insertionOptions.maxFreenessInvalidRanges;
-  insertionOptions = carrier.insertionOptions;
-  likelihoodOptions = carrier.likelihoodOptions;
-  genericMapParams = carrier.genericMapParams;
-}
-
 void CFreeSpaceGridMap2D::serializeTo(mrpt::serialization::CArchive& out) const
 {
-  writeBaseOptions(out);
+  maps::writeGridOptions(out, *this);
   voxelInsertionOptions.writeToStream(out);
   m_conversion.writeToStream(out);
   params::writeFields(renderingOptions, out);
@@ -67,13 +43,14 @@ void CFreeSpaceGridMap2D::serializeFrom(mrpt::serialization::CArchive& in, uint8
 {
   if (version != 0) MRPT_THROW_UNKNOWN_SERIALIZATION_VERSION(version);
   CFreeSpaceGridMap2D read;
-  read.readBaseOptions(in);
+  maps::readGridOptions(in, read);
   read.voxelInsertionOptions.readFromStream(in);
   read.m_conversion.readFromStream(in);
   params::readFields(in, read.renderingOptions, version, "CFreeSpaceGridMap2D stream");
 
   read.readOctree(in);
   Base::operator=(read);
+  setCellSize(read.cellSize());
   voxelInsertionOptions = read.voxelInsertionOptions;
   renderingOptions = read.renderingOptions;
   m_conversion = read.m_conversion;
@@ -100,6 +77,7 @@ void CFreeSpaceGridMap2D::readOctree(mrpt::serialization::CArchive& in)
                              " where an OcTree belongs");
   if (!(std::abs(tree->getResolution() / resolution - 1) < 1e-5))
     throw std::runtime_error("CFreeSpaceGridMap2D stream: two different resolutions");
+  setCellSize(resolution);
   m_octree.reset(static_cast<octomap::OcTree*>(tree.release()));
   m_octree->setResolution(resolution);
   model.applyTo(*m_octree);
@@ -113,30 +91,16 @@ void CFreeSpaceGridMap2D::readOctree(mrpt::serialization::CArchive& in)
   m_is_empty = empty;
 }
 
-void CFreeSpaceGridMap2D::saveMetricMapRepresentationToFile(const std::string& prefix) const
+void CFreeSpaceGridMap2D::saveLayers(files::OutputDir& out, const std::string& name) const
 {
-  restoreGrid();
-  const std::filesystem::path whole(prefix);
-  const auto name = whole.filename().string();
-  files::OutputDir out(whole.has_parent_path() ? whole.parent_path().string() : ".");
-  const auto staged = out.path(name + ".png");  // the base class adds the endings to a prefix
-  out.path(name + "_limits.txt");
-  Base::saveMetricMapRepresentationToFile(staged.substr(0, staged.size() - 4));
-  if (const auto layers = exactLayers(); !layers.frame().empty())
-  {
-    freespace::writeLayersTiff(out.path(name + "_layers.tif"), layers, m_conversion.params);
-    for (const auto& [layerName, layer] : layers.named())
-    {
-      const std::string picture = mrpt::format("%s_%s.png", name.c_str(), layerName.c_str());
-      freespace::writeLayerPicture(out.path(picture), layers, layerName);
-    }
-    std::ostringstream octree;
-    m_octree->write(octree);
-    files::writeFile(out.path(name + ".ot"), octree.str());
-  }
-  if (const std::lock_guard<std::mutex> lock(m_lazy); m_times)
-    m_times->saveToCSVFile(out.path(name + "_times.csv"));
-  out.commit();
+  const auto layers = exactLayers();
+  grid::ExportFormats formats{name + "_layers.tif", freespace::metadataOf(m_conversion.params)};
+  formats.prefix = name + "_";
+  formats.pictures = true;
+  grid::exportLayers(out, layers.styled(), formats);
+  std::ostringstream octree;
+  m_octree->write(octree);
+  files::writeFile(out.path(name + ".ot"), octree.str());
 }
 
 }  // namespace mrpt_mapconv

@@ -1,10 +1,10 @@
 #include <mrpt/obs/CObservation2DRangeScan.h>
 #include <mrpt_mapconv/maps/CScanShapeGridMap2D.h>
+#include <mrpt_mapconv/maps/MapDefinition.h>
 #include <mrpt_mapconv/observation/FinitePose.h>
 #include <mrpt_mapconv/observation/ObservationPoints.h>
 #include <mrpt_mapconv/observation/PoseTrack.h>
-
-#include "MapSections.h"
+#include <mrpt_mapconv/scan/ProfileSummary.h>
 
 namespace mrpt_mapconv
 {
@@ -39,7 +39,6 @@ const char* whyEmpty(const scan::ProfileStatistics& found)
 CScanShapeGridMap2D::CScanShapeGridMap2D(double resolution)
     : Base(-1.0f, 1.0f, -1.0f, 1.0f, 1.0f),  // its own default is large
       m_log("CScanShapeGridMap2D"),
-      m_warnings(&m_log),
       m_cellSize(maps::checkedResolution(resolution))
 {
   startEmpty();
@@ -51,8 +50,7 @@ CScanShapeGridMap2D::CScanShapeGridMap2D(const CScanShapeGridMap2D& o)
     : Base(o),
       scanInsertionOptions(o.scanInsertionOptions),
       maxGridCells(o.maxGridCells),
-      m_log("CScanShapeGridMap2D"),
-      m_warnings(&m_log, o.m_warnings),
+      m_log(o.m_log),
       m_cellSize(o.m_cellSize)
 {
 }
@@ -63,10 +61,9 @@ CScanShapeGridMap2D& CScanShapeGridMap2D::operator=(const CScanShapeGridMap2D& o
   Base::operator=(o);
   scanInsertionOptions = o.scanInsertionOptions;
   maxGridCells = o.maxGridCells;
-  m_warnings.rememberWith(o.m_warnings);
+  m_log = o.m_log;
   m_cellSize = o.m_cellSize;
   m_lastScan = {};
-  m_lastSkip.clear();
   return *this;
 }
 
@@ -88,12 +85,11 @@ bool CScanShapeGridMap2D::internal_insertObservation(
   // a likelihood asks: nothing may change, and MRPT's own grid counts nothing either
   if (updateInfoChangeOnly.enabled) return false;
   const auto pose = robotPose.value_or(mrpt::poses::CPose3D());
-  m_lastSkip.clear();
+  m_log.begin();
   if (const auto* scan = dynamic_cast<const mrpt::obs::CObservation2DRangeScan*>(&obs))
     return insert2D(*scan, pose);
   if (observation::isScan(obs)) return insert3D(obs, pose);
-  m_lastSkip = "it is not a scan";
-  return false;
+  return m_log.ignore("it is not a scan");
 }
 
 bool CScanShapeGridMap2D::insert3D(const mrpt::obs::CObservation& obs,
@@ -102,11 +98,11 @@ bool CScanShapeGridMap2D::insert3D(const mrpt::obs::CObservation& obs,
   scanInsertionOptions.check();
   const scan::LogOddsUpdate update(scanInsertionOptions.update);
   const auto sensorPose = sensorPoseOf(obs, robotPose);
-  if (!observation::isFinite(sensorPose)) return skip(obs, "its pose is not finite");
+  if (!observation::isFinite(sensorPose)) return m_log.skip(obs, "its pose is not finite");
   checkNear(sensorPose);
   auto& work = workspace();
-  observation::sensorPoints(obs, robotPose, work.scan, &m_warnings);
-  if (work.scan.points.empty()) return skip(obs, "it has no usable point");
+  observation::sensorPoints(obs, robotPose, work.scan, &m_log.warnings);
+  if (work.scan.points.empty()) return m_log.skip(obs, "it has no usable point");
   try
   {
     work.profile.compute(work.scan.points,
@@ -115,7 +111,7 @@ bool CScanShapeGridMap2D::insert3D(const mrpt::obs::CObservation& obs,
   }
   catch (const scan::UnusableScan& error)
   {
-    return skip(obs, "unusable", error.what());
+    return m_log.skip(obs, "unusable", error.what());
   }
   const grid::GridFrame bounds = work.profile.bounds();
   if (!bounds.empty())
@@ -126,28 +122,11 @@ bool CScanShapeGridMap2D::insert3D(const mrpt::obs::CObservation& obs,
   }
   m_lastScan = work.profile.statistics();
   report(obs);
-  return !bounds.empty() || skip(obs, whyEmpty(m_lastScan));
-}
-
-/** Remembers, and says once, why an observation is not inserted. \return false */
-bool CScanShapeGridMap2D::skip(const mrpt::obs::CObservation& obs, std::string_view why)
-{
-  return skip(obs, why, why);
-}
-
-/** \param kind of reason, without its numbers */
-bool CScanShapeGridMap2D::skip(const mrpt::obs::CObservation& obs, std::string_view kind,
-                               std::string_view why)
-{
-  m_lastSkip = why;
-  m_warnings.warnOnceOf(
-      {kind, obs.GetRuntimeClass()->className, obs.sensorLabel},
-      [&] { return "a scan of " + observation::nameOf(obs) + " is skipped: " + m_lastSkip; });
-  return false;
+  return !bounds.empty() || m_log.skip(obs, whyEmpty(m_lastScan));
 }
 
 /** Whether the first 3D scan has been reported; from now on it has. */
-bool CScanShapeGridMap2D::hasReported() { return !m_warnings.isNew({"first 3D scan"}); }
+bool CScanShapeGridMap2D::hasReported() { return !m_log.warnings.isNew({"first 3D scan"}); }
 
 /** Says how many azimuths end at a structural element; where they do not, nothing is cut. */
 void CScanShapeGridMap2D::report(const mrpt::obs::CObservation& obs)
@@ -156,19 +135,20 @@ void CScanShapeGridMap2D::report(const mrpt::obs::CObservation& obs)
   const auto& params = scanInsertionOptions.profile;
   const auto& found = m_lastScan;
   const double percent = 100 * found.shareWithWall();
-  if (m_log.isLoggingLevelVisible(LVL_DEBUG))
-    m_log.logFmt(LVL_DEBUG,
-                 "%s: %zu points, %zu of objects, %zu of structure; a wall on %.1f %% of %i "
-                 "azimuths; %zu cells occupied, %zu free",
-                 observation::nameOf(obs).c_str(), found.points, found.objectPoints,
-                 found.structurePoints, percent, found.lines, found.occupiedCells, found.freeCells);
+  if (m_log.logger.isLoggingLevelVisible(LVL_DEBUG))
+    m_log.logger.logFmt(LVL_DEBUG,
+                        "%s: %zu points, %zu of objects, %zu of structure; a wall on %.1f %% of %i "
+                        "azimuths; %zu cells occupied, %zu free",
+                        observation::nameOf(obs).c_str(), found.points, found.objectPoints,
+                        found.structurePoints, percent, found.lines, found.occupiedCells,
+                        found.freeCells);
   if (!params.reflectionFilter) return;
   if (!hasReported())
-    m_log.logFmt(LVL_INFO, "first 3D scan, of %s: a wall on %.1f %% of %i azimuths",
-                 observation::nameOf(obs).c_str(), percent, found.lines);
+    m_log.logger.logFmt(LVL_INFO, "first 3D scan, of %s: a wall on %.1f %% of %i azimuths",
+                        observation::nameOf(obs).c_str(), percent, found.lines);
   constexpr double fewest = 10;
   if (percent >= fewest) return;
-  m_warnings.warnOnceOf(
+  m_log.warnings.warnOnceOf(
       {"few walls"},
       [&]
       {
@@ -182,6 +162,15 @@ void CScanShapeGridMap2D::report(const mrpt::obs::CObservation& obs)
 std::string CScanShapeGridMap2D::asString() const
 {
   return "Scan-shape grid map: " + Base::asString();
+}
+
+maps::SelfDescription CScanShapeGridMap2D::describe() const
+{
+  const auto& profile = scanInsertionOptions.profile;
+  maps::SelfDescription description{{{"model", scan::summaryOf(profile)}}, "parameters", {}};
+  params::visitFields(profile, [&](const char* name, const auto& field, auto&&...)
+                      { description.values.emplace_back(name, params::shownValue(field)); });
+  return description;
 }
 
 void CScanShapeGridMap2D::getVisualizationInto(mrpt::opengl::CSetOfObjects& scene) const

@@ -128,29 +128,25 @@ grid::GridFrame frameFor(const RayBox& box, double resolution)
 
 bool CScanShapeGridMap2D::insert2D(const CObservation2DRangeScan& scan, const CPose3D& robotPose)
 {
-  if (!scanInsertionOptions.insert2D)
-  {
-    m_lastSkip = "it is a 2D scan, and insert2D = false";
-    return false;
-  }
+  if (!scanInsertionOptions.insert2D) return m_log.ignore("it is a 2D scan, and insert2D = false");
   checkOptions(insertionOptions);
   const CPose3D sensor = robotPose + scan.sensorPose;
-  if (const char* why = whyRefused(scan, sensor, insertionOptions)) return skip(scan, why);
+  if (const char* why = whyRefused(scan, sensor, insertionOptions)) return m_log.skip(scan, why);
   checkNear(sensor);
   const auto mended = withoutBadRays(scan);
   if (mended)
-    m_warnings.warnOnceOf({"bad rays", scan.GetRuntimeClass()->className, scan.sensorLabel},
-                          [&]
-                          {
-                            return "ranges of " + observation::nameOf(scan) +
-                                   " that are NaN, infinite or negative count as invalid";
-                          });
+    m_log.warnings.warnOnceOf({"bad rays", scan.GetRuntimeClass()->className, scan.sensorLabel},
+                              [&]
+                              {
+                                return "ranges of " + observation::nameOf(scan) +
+                                       " that are NaN, infinite or negative count as invalid";
+                              });
   const auto& usable = mended ? *mended : scan;
   const RayBox box = rayBoxOf(usable, sensor, insertionOptions);
-  if (!box.hasValid) return skip(scan, "it has no valid range");
+  if (!box.hasValid) return m_log.skip(scan, "it has no valid range");
   makeRoomFor(frameFor(box, frame().resolution));
   return Base::internal_insertObservation(usable, robotPose) ||
-         skip(scan, "MRPT's own grid does not insert it");
+         m_log.skip(scan, "MRPT's own grid does not insert it");
 }
 
 }  // namespace mrpt_mapconv

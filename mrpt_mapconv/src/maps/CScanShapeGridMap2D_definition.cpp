@@ -1,9 +1,7 @@
 #include <mrpt/config/CConfigFileBase.h>
 #include <mrpt_mapconv/maps/CScanShapeGridMap2D.h>
 #include <mrpt_mapconv/maps/GridInsertionOptions.h>
-#include <mrpt_mapconv/maps/GridLikelihoodOptions.h>
-
-#include "MapSections.h"
+#include <mrpt_mapconv/maps/MapDefinition.h>
 
 IMPLEMENTS_SERIALIZABLE(CScanShapeGridMap2D, COccupancyGridMap2D, mrpt_mapconv)
 
@@ -14,31 +12,23 @@ MAP_DEFINITION_REGISTER("mrpt_mapconv::CScanShapeGridMap2D,scanShapeGrid",
 
 namespace mrpt_mapconv
 {
-namespace
-{
-const std::vector<std::string> kSections{"_creationOpts", "_insertOpts", "_likelihoodOpts"};
-}  // namespace
-
 CScanShapeGridMap2D::TMapDefinition::TMapDefinition() = default;
 
 void CScanShapeGridMap2D::TMapDefinition::loadFromConfigFile_map_specific(
     const mrpt::config::CConfigFileBase& source, const std::string& sectionNamePrefix)
 {
-  params::StrictSection creation(source, sectionNamePrefix + kSections[0]);
-  params::readFields(creation, creationOpts);
-  if (!grid::isResolution(creationOpts.resolution))
-    creation.fail("resolution", grid::kRightResolution);
-  if (creationOpts.maxGridCells < 1) creation.fail("maxGridCells", ">= 1");
-  maps::readSharedParams(creation, genericMapParams);
-  creation.warnUnknown();
-
-  params::StrictSection insertion(source, sectionNamePrefix + kSections[1]);
+  maps::DefinitionSections ini(source, sectionNamePrefix);
+  ini.readCreation(creationOpts, genericMapParams,
+                   [this](const params::StrictSection& creation)
+                   {
+                     if (creationOpts.maxGridCells < 1) creation.fail("maxGridCells", ">= 1");
+                   });
+  params::StrictSection insertion(source, ini.name("_insertOpts"));
   scanInsertionOpts.readFrom(insertion, creationOpts.resolution);
   maps::readGridInsertionOptions(insertion, insertionOpts);
   insertion.warnUnknown();
-
-  maps::loadGridLikelihoodOptions(source, sectionNamePrefix + kSections[2], likelihoodOpts);
-  maps::warnUnknownSections(source, sectionNamePrefix, kSections);
+  ini.readLikelihood(likelihoodOpts);
+  ini.warnUnknown();
 }
 
 void CScanShapeGridMap2D::TMapDefinition::dumpToTextStream_map_specific(std::ostream& out) const
@@ -54,7 +44,7 @@ mrpt::maps::CMetricMap* CScanShapeGridMap2D::internal_CreateFromMapDefinition(
 {
   const auto& def = dynamic_cast<const TMapDefinition&>(definition);
   auto map = std::make_unique<CScanShapeGridMap2D>(def.creationOpts.resolution);
-  map->m_warnings.rememberWith(def.said);
+  map->m_log.warnings.rememberWith(def.said);
   map->maxGridCells = def.creationOpts.maxGridCells;
   map->scanInsertionOptions = def.scanInsertionOpts;
   map->insertionOptions = def.insertionOpts;

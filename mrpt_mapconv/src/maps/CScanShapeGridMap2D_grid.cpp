@@ -1,4 +1,5 @@
 #include <mrpt_mapconv/grid/GridMap.h>
+#include <mrpt_mapconv/grid/GrownFrame.h>
 #include <mrpt_mapconv/grid/OccupancyCell.h>
 #include <mrpt_mapconv/maps/CScanShapeGridMap2D.h>
 
@@ -35,13 +36,6 @@ bool fitsMrpt(const grid::GridFrame& frame)
   }
 }
 
-/** How much more than asked for one side of the grid grows by, so that a drive does not copy it at
- * each scan. */
-std::int32_t marginOf(std::int32_t side, double resolution)
-{
-  constexpr double most = 10;  // [m]
-  return std::max(1, std::min(side / 4, static_cast<std::int32_t>(most / resolution)));
-}
 }  // namespace
 
 grid::GridFrame CScanShapeGridMap2D::frame() const
@@ -81,8 +75,10 @@ void CScanShapeGridMap2D::makeRoomFor(const grid::GridFrame& needed)
   const grid::GridFrame least = isAsStarted() ? needed : unite(now, needed);
   if (least == now) return;
   checkSize(least);
-  const grid::GridFrame roomy = withMargin(least);
-  layOut(cellsOf(roomy) <= maxGridCells && fitsMrpt(roomy) ? roomy : least);
+  constexpr grid::GrowthMargin margin{0.25, 10, 1};  // a drive must not copy it at each scan
+  layOut(grid::grownFrame(isAsStarted() ? grid::GridFrame() : now, needed, margin,
+                          [this](const grid::GridFrame& roomy)
+                          { return cellsOf(roomy) <= maxGridCells && fitsMrpt(roomy); }));
 }
 
 /** \exception std::runtime_error for a finite pose whose cells keys cannot count; the grid of any
@@ -110,21 +106,6 @@ void CScanShapeGridMap2D::checkSize(const grid::GridFrame& least) const
     throw std::runtime_error(message.str());
   }
   grid::checkGridMapFrame(least);
-}
-
-/** The frame with room on those sides where the grid has to grow. */
-grid::GridFrame CScanShapeGridMap2D::withMargin(const grid::GridFrame& least) const
-{
-  const grid::GridFrame now = frame();
-  const std::int32_t marginX = marginOf(least.width, least.resolution);
-  const std::int32_t marginY = marginOf(least.height, least.resolution);
-  const bool all = isAsStarted();
-  grid::GridFrame roomy = least;
-  if (all || least.x0 < now.x0) roomy.x0 -= marginX;
-  if (all || least.y0 < now.y0) roomy.y0 -= marginY;
-  roomy.width = least.xEnd() + (all || least.xEnd() > now.xEnd() ? marginX : 0) - roomy.x0;
-  roomy.height = least.yEnd() + (all || least.yEnd() > now.yEnd() ? marginY : 0) - roomy.y0;
-  return roomy;
 }
 
 /** Lays the grid out anew. The frame has to hold all cells that say something. */

@@ -1,8 +1,6 @@
-#include <mrpt_mapconv/files/OutputDir.h>
-#include <mrpt_mapconv/grid/GeoTiff.h>
+#include <mrpt_mapconv/grid/LayerExport.h>
 #include <mrpt_mapconv/maps/CScanShapeGridMap2D.h>
-
-#include <filesystem>
+#include <mrpt_mapconv/maps/GridSaving.h>
 
 namespace mrpt_mapconv
 {
@@ -15,8 +13,8 @@ void CScanShapeGridMap2D::serializeTo(mrpt::serialization::CArchive& out) const
 {
   out << Base::serializeGetVersion();
   Base::serializeTo(out);
-  out << m_xMin << m_xMax << m_yMin << m_yMax << m_is_empty << likelihoodOptions.LF_useSquareDist
-      << insertionOptions.maxFreenessUpdateCertainty << insertionOptions.maxFreenessInvalidRanges;
+  out << m_xMin << m_xMax << m_yMin << m_yMax << m_is_empty;
+  maps::writeOmittedOptions(out, *this);
   out << m_cellSize << maxGridCells;
   scanInsertionOptions.writeToStream(out);
 }
@@ -29,9 +27,8 @@ void CScanShapeGridMap2D::serializeFrom(mrpt::serialization::CArchive& in, uint8
   std::uint8_t baseVersion = 0;
   in >> baseVersion;
   read.Base::serializeFrom(in, baseVersion);
-  in >> read.m_xMin >> read.m_xMax >> read.m_yMin >> read.m_yMax >> read.m_is_empty >>
-      read.likelihoodOptions.LF_useSquareDist >> read.insertionOptions.maxFreenessUpdateCertainty >>
-      read.insertionOptions.maxFreenessInvalidRanges;
+  in >> read.m_xMin >> read.m_xMax >> read.m_yMin >> read.m_yMax >> read.m_is_empty;
+  maps::readOmittedOptions(in, read);
   in >> read.m_cellSize >> read.maxGridCells;
   read.scanInsertionOptions.readFromStream(in);
   // MRPT's particle filters copy maps by streams: the copies' scans are not the first ones.
@@ -41,15 +38,13 @@ void CScanShapeGridMap2D::serializeFrom(mrpt::serialization::CArchive& in, uint8
 
 void CScanShapeGridMap2D::saveMetricMapRepresentationToFile(const std::string& prefix) const
 {
-  const std::filesystem::path whole(prefix);
-  const auto name = whole.filename().string();
-  files::OutputDir out(whole.has_parent_path() ? whole.parent_path().string() : ".");
-  const auto staged = out.path(name + ".png");  // the base class adds the endings to a prefix
-  out.path(name + "_limits.txt");
-  Base::saveMetricMapRepresentationToFile(staged.substr(0, staged.size() - 4));
-  const auto occupancy = probability();
-  grid::writeGeoTiff(out.path(name + "_occupancy.tif"), {{"occupancy", &occupancy}});
-  out.commit();
+  maps::saveStaged(
+      *this, prefix,
+      [this](files::OutputDir& out, const std::string& name)
+      {
+        const auto occupancy = probability();
+        grid::exportLayers(out, {{"occupancy", &occupancy}}, {name + "_occupancy.tif"});
+      });
 }
 
 }  // namespace mrpt_mapconv

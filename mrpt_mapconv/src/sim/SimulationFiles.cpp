@@ -7,13 +7,13 @@
 #include <mrpt/poses/CPose3DPDFGaussian.h>
 #include <mrpt_mapconv/files/FileIo.h>
 #include <mrpt_mapconv/files/ObjectStream.h>
-#include <mrpt_mapconv/grid/GeoTiff.h>
-#include <mrpt_mapconv/grid/LayerPicture.h>
+#include <mrpt_mapconv/grid/LayerExport.h>
 #include <mrpt_mapconv/params/Text.h>
 #include <mrpt_mapconv/sim/SimulationFiles.h>
 #include <mrpt_mapconv/sim/Truth.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
 #include <cmath>
 #include <fstream>
@@ -204,38 +204,43 @@ double wayOf(const Trajectory& trajectory)
   return way;
 }
 
-grid::PictureStyle styleOf(const std::string& band)
+/** A world has gaps where a voxel map has free ranges. */
+std::string truthTitle(const grid::StyledLayer& layer)
 {
-  using Kind = grid::PictureKind;
-  if (band == "floor") return {"Truth: bottom of the lowest gap", "m", Kind::Height};
-  if (band == "ceiling") return {"Truth: top of the highest gap", "m", Kind::Height};
-  if (band == "slope") return {"Truth: slope of the floor", "m/m", Kind::Slope};
-  if (band == "aerial") return {"Truth: occupancy for an aerial robot", "", Kind::Occupancy};
-  return {"Truth: occupancy for a ground robot", "", Kind::Occupancy};
+  if (layer.name == "floor") return "Truth: bottom of the lowest gap";
+  if (layer.name == "ceiling") return "Truth: top of the highest gap";
+  std::string title = layer.title;
+  title.front() = static_cast<char>(std::tolower(static_cast<unsigned char>(title.front())));
+  return "Truth: " + title;
 }
 
 /** Logarithms: cells beside the way got a thousand times more than those far from it. */
-void writeInViewPicture(const std::string& path, grid::Layer<float> inView)
+grid::Layer<float> logarithmOf(grid::Layer<float> counts)
 {
-  for (float& count : inView.cells())
+  for (float& count : counts.cells())
     count = count > 0 ? std::log10(count) : freespace::Layers::kNone;
-  grid::writeLayerPng(
-      path, inView,
-      {"In view: 3D returns per cell (log10)", "log10(returns)", grid::PictureKind::Height});
+  return counts;
 }
 
 void writeTruth(files::OutputDir& out, const Scenario& scenario, const grid::Layer<float>& inView)
 {
   const auto layers = truthLayers(scenario.world, inView.frame(), scenario.truth);
-  std::vector<grid::NamedLayer> bands;
-  for (const auto& [name, layer] : layers.named())
-  {
-    bands.push_back({name, layer});
-    grid::writeLayerPng(out.path("truth_" + name + ".png"), *layer, styleOf(name));
-  }
+  auto bands = layers.styled();
   bands.push_back({"inView", &inView});
-  grid::writeGeoTiff(out.path("truth.tif"), bands);
-  writeInViewPicture(out.path("truth_inView.png"), inView);
+  grid::exportLayers(out, bands, {"truth.tif"});
+
+  const auto seen = logarithmOf(inView);
+  auto pictures = layers.styled();
+  for (grid::StyledLayer& layer : pictures)
+  {
+    layer.title = truthTitle(layer);
+    layer.freeFor = nullptr;  // its legend would blame steps for what has no headroom
+  }
+  pictures.push_back({"inView", &seen, "In view: 3D returns per cell (log10)", "log10(returns)"});
+  grid::ExportFormats formats;
+  formats.prefix = "truth_";
+  formats.pictures = true;
+  grid::exportLayers(out, pictures, formats);
 }
 }  // namespace
 

@@ -36,6 +36,25 @@ TEST(Layers, AreNamedInTheOrderOfExport)
   }
 }
 
+TEST(Layers, SayWhatTheyShow)
+{
+  const Layers layers(grid::GridFrame{0.1, 0, 0, 1, 1});
+  const auto named = layers.named();
+  const auto styled = layers.styled();
+  ASSERT_EQ(styled.size(), named.size());
+  for (std::size_t i = 0; i < styled.size(); ++i)
+  {
+    EXPECT_EQ(styled[i].name, named[i].first);
+    EXPECT_EQ(styled[i].layer, named[i].second);
+    EXPECT_FALSE(styled[i].title.empty()) << styled[i].name;
+    EXPECT_EQ(styled[i].unit.empty(), styled[i].kind == grid::LayerKind::Occupancy);
+  }
+  EXPECT_EQ(layers.styled("ground").freeFor, &layers.aerial);
+  EXPECT_EQ(layers.styled("aerial").freeFor, nullptr);
+  EXPECT_EQ(layers.styled("slope").kind, grid::LayerKind::Slope);
+  EXPECT_THROW(layers.styled("cellar"), std::invalid_argument);
+}
+
 TEST(Layers, LaidOnAnotherFrameKeepSharedCells)
 {
   Layers layers(grid::GridFrame{0.1, 0, 0, 2, 2});

@@ -49,17 +49,25 @@ double meanRow(const CImage& image, const Rgb& color)
   return sum / count;
 }
 
-const PictureStyle kOccupancy{"Occupancy", "", PictureKind::Occupancy};
-const PictureStyle kHeight{"Floor", "m", PictureKind::Height};
-const PictureStyle kSlope{"Slope", "m/m", PictureKind::Slope};
+const StyledLayer kOccupancy{"aerial", nullptr, "Occupancy", "", LayerKind::Occupancy};
+const StyledLayer kHeight{"floor", nullptr, "Floor", "m", LayerKind::Height};
+const StyledLayer kSlope{"slope", nullptr, "Slope", "m/m", LayerKind::Slope};
+
+StyledLayer styled(const Layer<float>& layer, StyledLayer style,
+                   const Layer<float>* freeFor = nullptr)
+{
+  style.layer = &layer;
+  style.freeFor = freeFor;
+  return style;
+}
 }  // namespace
 
 TEST(LayerPicture, smallMapsAreEnlargedCellByCell)
 {
   Layer<float> layer(GridFrame{0.1, 0, 0, 60, 40}, kFree);
   layer.at(3, 35) = 1.0f;
-  const CImage without = drawLayer(Layer<float>(layer.frame(), kFree), kOccupancy);
-  const CImage image = drawLayer(layer, kOccupancy);
+  const CImage without = drawLayer(styled(Layer<float>(layer.frame(), kFree), kOccupancy));
+  const CImage image = drawLayer(styled(layer, kOccupancy));
   EXPECT_EQ(colors(image)[kOccupiedRgb] - colors(without)[kOccupiedRgb], 14U * 14U);
   EXPECT_GE(image.getWidth(), 840U);
   EXPECT_LE(image.getWidth(), 1100U);
@@ -69,7 +77,7 @@ TEST(LayerPicture, northIsUp)
 {
   Layer<float> layer(GridFrame{0.1, 0, 0, 60, 60}, kFree);
   for (int x = 0; x < 60; ++x) layer.at(x, 55) = 1.0f;
-  const CImage image = drawLayer(layer, kOccupancy);
+  const CImage image = drawLayer(styled(layer, kOccupancy));
   EXPECT_LT(meanRow(image, kOccupiedRgb), static_cast<double>(image.getHeight()) / 3);
 }
 
@@ -77,7 +85,7 @@ TEST(LayerPicture, occupiedWinsInReducedMaps)
 {
   Layer<float> layer(GridFrame{0.05, 0, 0, 5000, 90}, kFree);
   for (int x = 0; x < 5000; ++x) layer.at(x, 46) = 0.6f;  // a wall one cell thick
-  const CImage image = drawLayer(layer, kOccupancy);
+  const CImage image = drawLayer(styled(layer, kOccupancy));
   EXPECT_LE(image.getWidth(), 2400U);
   EXPECT_GE(colors(image)[kOccupiedRgb], 1667U);
 }
@@ -88,10 +96,10 @@ TEST(LayerPicture, steepOnlyWithTheAerialLayer)
   Layer<float> ground(frame, kFree), aerial(frame, kFree);
   ground.at(5, 5) = 1.0f;
   ground.at(9, 9) = aerial.at(9, 9) = 1.0f;
-  EXPECT_EQ(colors(drawLayer(ground, kOccupancy))[kSteepRgb], 0U);
-  EXPECT_GE(colors(drawLayer(ground, kOccupancy, &aerial))[kSteepRgb], 100U);
-  EXPECT_LT(colors(drawLayer(ground, kOccupancy, &aerial))[kOccupiedRgb],
-            colors(drawLayer(ground, kOccupancy))[kOccupiedRgb]);
+  EXPECT_EQ(colors(drawLayer(styled(ground, kOccupancy)))[kSteepRgb], 0U);
+  EXPECT_GE(colors(drawLayer(styled(ground, kOccupancy, &aerial)))[kSteepRgb], 100U);
+  EXPECT_LT(colors(drawLayer(styled(ground, kOccupancy, &aerial)))[kOccupiedRgb],
+            colors(drawLayer(styled(ground, kOccupancy)))[kOccupiedRgb]);
 }
 
 TEST(LayerPicture, missingValuesAreGrey)
@@ -100,9 +108,9 @@ TEST(LayerPicture, missingValuesAreGrey)
   for (int x = 0; x < 80; ++x)
     for (int y = 0; y < 40; ++y) layer.at(x, y) = static_cast<float>(x);
   layer.at(0, 0) = std::numeric_limits<float>::infinity();
-  for (const PictureStyle& style : {kHeight, kSlope})
+  for (const StyledLayer& style : {kHeight, kSlope})
   {
-    const std::size_t grey = colors(drawLayer(layer, style))[kNoDataRgb];
+    const std::size_t grey = colors(drawLayer(styled(layer, style)))[kNoDataRgb];
     EXPECT_NEAR(static_cast<double>(grey), 800.0 * 400 + 100, 500) << style.title;
   }
 }
@@ -110,10 +118,10 @@ TEST(LayerPicture, missingValuesAreGrey)
 TEST(LayerPicture, aLayerWithoutDataIsStillAPicture)
 {
   const Layer<float> layer(GridFrame{0.1, 0, 0, 80, 80}, kNan);
-  for (const PictureStyle& style : {kHeight, kSlope, kOccupancy})
+  for (const StyledLayer& style : {kHeight, kSlope, kOccupancy})
   {
-    auto count = colors(drawLayer(layer, style));
-    EXPECT_GE(count[style.kind == PictureKind::Occupancy ? kUnknownRgb : kNoDataRgb], 630000U);
+    auto count = colors(drawLayer(styled(layer, style)));
+    EXPECT_GE(count[style.kind == LayerKind::Occupancy ? kUnknownRgb : kNoDataRgb], 630000U);
   }
 }
 
@@ -123,11 +131,11 @@ TEST(LayerPicture, everyShapeAndScaleCanBeDrawn)
   std::normal_distribution<float> value(0, 100);
   for (const auto& [width, height] : {std::pair{1, 1}, {1, 300}, {300, 1}, {7, 2500}, {2500, 7}})
     for (const double resolution : {0.001, 0.07, 25.0})
-      for (const PictureStyle& style : {kHeight, kSlope, kOccupancy})
+      for (const StyledLayer& style : {kHeight, kSlope, kOccupancy})
       {
         Layer<float> layer(GridFrame{resolution, -1000000, 1000000, width, height}, 0.0f);
         for (float& cell : layer.cells()) cell = value(random);
-        const CImage image = drawLayer(layer, style);
+        const CImage image = drawLayer(styled(layer, style));
         EXPECT_GE(image.getWidth(), static_cast<unsigned>(std::min(width, 1200)));
         EXPECT_LE(image.getWidth(), 3200U);
       }
@@ -137,8 +145,8 @@ TEST(LayerPicture, pngReadsBack)
 {
   const TempDir dir;
   Layer<float> layer(GridFrame{0.1, 0, 0, 20, 30}, 1.5f);
-  writeLayerPng(dir.path("x.png"), layer, kHeight);
-  const CImage drawn = drawLayer(layer, kHeight);
+  writeLayerPng(dir.path("x.png"), styled(layer, kHeight));
+  const CImage drawn = drawLayer(styled(layer, kHeight));
   const CImage read = CImage::LoadFromFile(dir.path("x.png"));
   ASSERT_EQ(read.getWidth(), drawn.getWidth());
   ASSERT_EQ(read.getHeight(), drawn.getHeight());
@@ -149,10 +157,12 @@ TEST(LayerPicture, refusesWhatCannotBeDrawn)
 {
   const TempDir dir;
   const Layer<float> a(GridFrame{0.1, 0, 0, 2, 2}, 0), b(GridFrame{0.1, 1, 0, 2, 2}, 0);
-  EXPECT_THROW(drawLayer({}, kHeight), std::invalid_argument);
-  EXPECT_THROW(drawLayer(a, kOccupancy, &b), std::invalid_argument);
-  EXPECT_THROW(writeLayerPng(dir.path("x.bmp"), a, kHeight), std::invalid_argument);
-  EXPECT_EQ(messageOf([&] { writeLayerPng(dir.path("no/x.png"), a, kHeight); }),
+  EXPECT_THROW(drawLayer(kHeight), std::invalid_argument);
+  const Layer<float> none;
+  EXPECT_THROW(drawLayer(styled(none, kHeight)), std::invalid_argument);
+  EXPECT_THROW(drawLayer(styled(a, kOccupancy, &b)), std::invalid_argument);
+  EXPECT_THROW(writeLayerPng(dir.path("x.bmp"), styled(a, kHeight)), std::invalid_argument);
+  EXPECT_EQ(messageOf([&] { writeLayerPng(dir.path("no/x.png"), styled(a, kHeight)); }),
             "cannot write '" + dir.path("no/x.png") + "': No such file or directory");
 }
 
@@ -163,7 +173,8 @@ TEST(LayerPicture, noticesFullDisk)
   {
     const TinyDisk disk(kilobytes);
     if (!disk.mounted()) GTEST_SKIP() << "not allowed to mount a small disk";
-    const auto message = messageOf([&] { writeLayerPng(disk.path("x.png"), layer, kHeight); });
+    const auto message =
+        messageOf([&] { writeLayerPng(disk.path("x.png"), styled(layer, kHeight)); });
     EXPECT_TRUE(contains(message, "cannot write '" + disk.path("x.png"))) << message;
   }
 }

@@ -219,14 +219,3 @@ TEST(CFreeSpaceGridMap2D, WarnsOnceWhenNothingIsFreeAndNamesMinClearance)
   EXPECT_NE(first, std::string::npos) << said;
   EXPECT_EQ(said.find("minClearance", first + 1), std::string::npos) << said;
 }
-
-TEST(CFreeSpaceGridMap2D, RefreshGridRepairsCellsChangedThroughTheBaseClass)
-{
-  CFreeSpaceGridMap2D map(0.2);
-  map.insertObservation(roomScan(0), mrpt::poses::CPose3D(0, 0, 1));
-  const auto before = map.getRawMap();
-  map.fill(0.5f);
-  EXPECT_NE(map.getRawMap(), before);
-  map.refreshGrid();
-  EXPECT_EQ(map.getRawMap(), before);
-}

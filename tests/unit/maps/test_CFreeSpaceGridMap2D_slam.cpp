@@ -2,6 +2,7 @@
 #include <mrpt/maps/CMultiMetricMap.h>
 #include <mrpt/serialization/CArchive.h>
 #include <mrpt/system/CTimeLogger.h>
+#include <mrpt_mapconv/grid/GridMap.h>
 
 #include <future>
 #include <sstream>
@@ -30,9 +31,9 @@ void expectGridOfLayers(const CFreeSpaceGridMap2D& map)
   const auto& frame = map.layers().frame();
   ASSERT_EQ(map.getSizeX(), static_cast<unsigned>(frame.width));
   ASSERT_EQ(map.getSizeY(), static_cast<unsigned>(frame.height));
-  CFreeSpaceGridMap2D fresh(map);
-  fresh.refreshGrid();
-  EXPECT_TRUE(map.getRawMap() == fresh.getRawMap());
+  mrpt::maps::COccupancyGridMap2D right;
+  grid::copyToGridMap(map.layers().ground, right);
+  EXPECT_TRUE(map.getRawMap() == right.getRawMap());
 }
 
 /** The history of one quantity in a logger's file. */
@@ -75,7 +76,7 @@ TEST(CFreeSpaceGridMap2DInSlam, AResizedGridIsLaidOutAnewAtTheEndOfAFilterStep)
   expectGridOfLayers(map);
 }
 
-TEST(CFreeSpaceGridMap2DInSlam, AnErasedGridIsLaidOutAnewBeforeItIsMatchedWith)
+TEST(CFreeSpaceGridMap2DInSlam, AnErasedGridIsMatchedWithAsItsLayersAre)
 {
   auto map = roomMap();
   mrpt::maps::CSimplePointsMap points;
@@ -93,7 +94,7 @@ TEST(CFreeSpaceGridMap2DInSlam, AnErasedGridIsLaidOutAnewBeforeItIsMatchedWith)
   EXPECT_GT(right, 10u);
   map.setSize(-20, 20, -20, 20, 0.1f);
   EXPECT_EQ(matches(map), right);
-  expectGridOfLayers(map);
+  EXPECT_EQ(map.getSizeX(), 400u) << "matching is const: the grid is laid out for it only";
 }
 
 TEST(CFreeSpaceGridMap2DInSlam, AResizedGridIsSavedAsItsLayersAre)

@@ -229,23 +229,26 @@ TEST(SimulationFiles, InViewCountsTheReturnsOfThe3DScans)
 // one, whose legend would blame slopes and steps for what has no headroom.
 TEST(SimulationFiles, PicturesSayWhatTheyAre)
 {
-  using mrpt_mapconv::grid::PictureKind;
-  using mrpt_mapconv::grid::PictureStyle;
+  using mrpt_mapconv::grid::LayerKind;
   const TempDir dir;
   simulate(kRoom + kLidar + kDrive, 1, dir);
-  const std::vector<std::pair<std::string, PictureStyle>> pictures{
-      {"floor", {"Truth: bottom of the lowest gap", "m", PictureKind::Height}},
-      {"slope", {"Truth: slope of the floor", "m/m", PictureKind::Slope}},
-      {"aerial", {"Truth: occupancy for an aerial robot", "", PictureKind::Occupancy}},
-      {"ground", {"Truth: occupancy for a ground robot", "", PictureKind::Occupancy}},
-      {"inView", {"In view: 3D returns per cell (log10)", "log10(returns)", PictureKind::Height}}};
-  for (const auto& [name, style] : pictures)
+  const std::vector<mrpt_mapconv::grid::StyledLayer> pictures{
+      {"floor", nullptr, "Truth: bottom of the lowest gap", "m", LayerKind::Height},
+      {"ceiling", nullptr, "Truth: top of the highest gap", "m", LayerKind::Height},
+      {"slope", nullptr, "Truth: slope of the floor", "m/m", LayerKind::Slope},
+      {"aerial", nullptr, "Truth: occupancy for an aerial robot", "", LayerKind::Occupancy},
+      {"ground", nullptr, "Truth: occupancy for a ground robot", "", LayerKind::Occupancy},
+      {"inView", nullptr, "In view: 3D returns per cell (log10)", "log10(returns)",
+       LayerKind::Height}};
+  for (auto picture : pictures)
   {
+    const auto& name = picture.name;
     auto layer = mrpt_mapconv::grid::readGeoTiffBand(dir.path("truth.tif"), name);
     if (name == "inView")
       for (float& cell : layer.cells()) cell = cell > 0 ? std::log10(cell) : std::nanf("");
+    picture.layer = &layer;
     const std::string expected = dir.path("expected.png");
-    mrpt_mapconv::grid::writeLayerPng(expected, layer, style);
+    mrpt_mapconv::grid::writeLayerPng(expected, picture);
     EXPECT_TRUE(readBytes(expected) == readBytes(dir.path("truth_" + name + ".png"))) << name;
   }
 }

@@ -53,17 +53,18 @@ void addWorld(const FreespaceResult& result, Report& report)
                    result.run.tree->getNumLeafNodes(), frame.resolution,
                    static_cast<std::size_t>(frame.width * frame.resolution),
                    static_cast<std::size_t>(frame.height * frame.resolution)));
-  freespace::writeLayerPicture(
+  constexpr auto kOccupancy = grid::LayerKind::Occupancy;
+  const auto& maps = result.maps;
+  grid::writeLayerPng(
       report.addPicture(name + "_ground", name + ": ground robot, free-space projection (strict)"),
-      result.maps.strict, "ground");
-  freespace::writeLayerPicture(report.addPicture(name + "_floor", name + ": floor"),
-                               result.maps.layers, "floor");
+      maps.strict.styled("ground"));
+  grid::writeLayerPng(report.addPicture(name + "_floor", name + ": floor"),
+                      maps.layers.styled("floor"));
   grid::writeLayerPng(report.addPicture(name + "_slice", name + ": fixed projection of the slice"),
-                      result.maps.slice,
-                      {"Fixed projection of the slice", "", grid::PictureKind::Occupancy});
-  grid::writeLayerPng(report.addPicture(name + "_truth", name + ": the truth, ground robot"),
-                      result.maps.truth.ground,
-                      {"Truth: where a ground robot can be", "", grid::PictureKind::Occupancy});
+                      {"slice", &maps.slice, "Fixed projection of the slice", "", kOccupancy});
+  grid::writeLayerPng(
+      report.addPicture(name + "_truth", name + ": the truth, ground robot"),
+      {"truth", &maps.truth.ground, "Truth: where a ground robot can be", "", kOccupancy});
 }
 }  // namespace
 

@@ -43,8 +43,9 @@ void addPictures(const ScanShapeResult& result, Report& report)
   const auto add =
       [&](const std::string& name, const std::string& title, const grid::Layer<float>& map)
   {
-    grid::writeLayerPng(report.addPicture(name, title), map.onFrame(frame, grid::kUnknown),
-                        {title, "", grid::PictureKind::Occupancy});
+    const auto shown = map.onFrame(frame, grid::kUnknown);
+    grid::writeLayerPng(report.addPicture(name, title),
+                        {name, &shown, title, "", grid::LayerKind::Occupancy});
   };
   report.addHeading("Maps of seed " + std::to_string(run.seed));
   add("truth", "The truth: what the robot can hit", result.truth.obstacles);

@@ -2,6 +2,7 @@
 
 #include <mrpt_mapconv/freespace/ConversionParams.h>
 #include <mrpt_mapconv/freespace/Layers.h>
+#include <mrpt_mapconv/grid/GeoTiff.h>
 
 #include <string>
 
@@ -11,6 +12,8 @@ namespace mrpt_mapconv::freespace
  * they were made with are its metadata. */
 void writeLayersTiff(const std::string& path, const freespace::Layers& layers,
                      const freespace::ConversionParams& params);
+/** That metadata, for grid::exportLayers(). */
+grid::Metadata metadataOf(const freespace::ConversionParams& params);
 
 /** Layers and what they were made with. */
 struct LayersFile
@@ -23,12 +26,5 @@ struct LayersFile
  * \exception std::runtime_error naming the file and the reason: it cannot be read, a layer or a
  * parameter is missing or a parameter is not valid */
 LayersFile readLayersTiff(const std::string& path);
-
-/** Writes the picture of one layer, with the title and legend that suit it, see
- * grid::writeLayerPng().
- * \param name as in Layers::named()
- * \exception std::invalid_argument for another name */
-void writeLayerPicture(const std::string& path, const freespace::Layers& layers,
-                       const std::string& name);
 
 }  // namespace mrpt_mapconv::freespace

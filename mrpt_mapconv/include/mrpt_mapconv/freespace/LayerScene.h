@@ -2,6 +2,7 @@
 
 #include <mrpt/opengl/CSetOfObjects.h>
 #include <mrpt_mapconv/freespace/Layers.h>
+#include <mrpt_mapconv/grid/LayerScene.h>
 #include <mrpt_mapconv/params/Fields.h>
 
 namespace mrpt_mapconv::freespace
@@ -26,15 +27,5 @@ struct TLayerSceneOptions
  * own objects, so that a scene file opens in SceneViewer3D without this library. */
 void drawLayers(const freespace::Layers& layers, const TLayerSceneOptions& options,
                 mrpt::opengl::CSetOfObjects& scene);
-
-/** Adds an occupancy layer as MRPT draws a grid: a textured plane at height z [m], in which unknown
- * cells are transparent.
- * \param showFree false where a floor is drawn above: viewers cannot tell two sheets apart that lie
- * close together and far away */
-void drawOccupancy(const grid::Layer<float>& occupancy, double z, bool showFree,
-                   mrpt::opengl::CSetOfObjects& scene);
-
-/** A voxel below the lowest floor [m], where the occupancy is drawn under the floor's surface. */
-double heightBelow(const freespace::Layers& layers);
 
 }  // namespace mrpt_mapconv::freespace

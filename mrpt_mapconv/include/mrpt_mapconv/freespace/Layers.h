@@ -1,16 +1,16 @@
 #pragma once
 
-#include <mrpt_mapconv/grid/Layer.h>
 #include <mrpt_mapconv/grid/OccupancyCell.h>
+#include <mrpt_mapconv/grid/StyledLayer.h>
 
-#include <array>
 #include <limits>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace mrpt_mapconv::freespace
 {
-/** The five layers of a converted voxel map, all on one frame. */
+/** The layers of a converted voxel map, all on one frame. */
 struct Layers
 {
   grid::Layer<float> floor;    //!< bottom face of the lowest kept free range [m]; NaN: none kept
@@ -19,30 +19,32 @@ struct Layers
   grid::Layer<float> aerial;  //!< occupancy for a flying robot: 0 free, (0,1] occupied, −1 unknown
   grid::Layer<float> ground;  //!< occupancy for a ground robot: likewise
 
+  /** A layer and what is said of it, see grid::StyledLayer. */
+  struct Entry
+  {
+    grid::Layer<float> Layers::*member;
+    const char *name, *title, *unit;
+    grid::LayerKind kind;
+    grid::Layer<float> Layers::*freeFor = nullptr;
+  };
+  /** All layers in the order of export: whatever is done for each of them goes through this list.
+   */
+  static const std::vector<Entry>& list();
+
   Layers() = default;
   /** All unknown. */
-  explicit Layers(const grid::GridFrame& frame)
-      : floor(frame, kNone),
-        ceiling(frame, kNone),
-        slope(frame, kNone),
-        aerial(frame, grid::kUnknown),
-        ground(frame, grid::kUnknown)
-  {
-  }
+  explicit Layers(const grid::GridFrame& frame);
 
   const grid::GridFrame& frame() const { return floor.frame(); }
   /** The layers laid on another frame; cells that were not there before are unknown. */
   Layers onFrame(const grid::GridFrame& frame) const;
 
-  /** Names and layers in the order of export. */
-  std::array<std::pair<std::string, const grid::Layer<float>*>, 5> named() const
-  {
-    return {{{"floor", &floor},
-             {"ceiling", &ceiling},
-             {"slope", &slope},
-             {"aerial", &aerial},
-             {"ground", &ground}}};
-  }
+  /** The layers as files, pictures and views show them; valid as long as this object. */
+  std::vector<grid::StyledLayer> styled() const;
+  /** One of them. \exception std::invalid_argument if there is none of that name */
+  grid::StyledLayer styled(const std::string& name) const;
+  /** Only names and layers. */
+  std::vector<std::pair<std::string, const grid::Layer<float>*>> named() const;
 
   static constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 };

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <mrpt_mapconv/grid/Layer.h>
+#include <mrpt_mapconv/grid/StyledLayer.h>
 
 #include <map>
 #include <string>
@@ -8,13 +8,6 @@
 
 namespace mrpt_mapconv::grid
 {
-/** A layer and the name that it carries in a file. */
-struct NamedLayer
-{
-  std::string name;
-  const Layer<float>* layer = nullptr;
-};
-
 /** What a file says about its layers: names and values, as GDAL's metadata items. */
 using Metadata = std::map<std::string, std::string>;
 
@@ -29,7 +22,7 @@ using Metadata = std::map<std::string, std::string>;
  * \param metadata kept in the file, for readGeoTiffMetadata() and `gdalinfo`
  * \exception std::invalid_argument if they are not
  * \exception std::runtime_error naming the file and GDAL's reason, also if the disk is full */
-void writeGeoTiff(const std::string& path, const std::vector<NamedLayer>& bands,
+void writeGeoTiff(const std::string& path, const std::vector<StyledLayer>& bands,
                   const Metadata& metadata = {});
 
 /** Reads one band of a GeoTIFF of square, north-up cells that lie on integer keys, as

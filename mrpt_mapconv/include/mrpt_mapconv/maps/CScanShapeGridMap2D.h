@@ -1,9 +1,9 @@
 #pragma once
 
 #include <mrpt/maps/COccupancyGridMap2D.h>
-#include <mrpt/system/COutputLogger.h>
 #include <mrpt_mapconv/grid/Layer.h>
-#include <mrpt_mapconv/observation/SayOnceLog.h>
+#include <mrpt_mapconv/maps/MapLog.h>
+#include <mrpt_mapconv/maps/SelfDescription.h>
 #include <mrpt_mapconv/scan/ScanGridParams.h>
 #include <mrpt_mapconv/scan/ScanInsertionOptions.h>
 #include <mrpt_mapconv/scan/ScanProfile.h>
@@ -11,7 +11,6 @@
 #include <memory>
 #include <optional>
 #include <string>
-#include <string_view>
 
 namespace mrpt::obs
 {
@@ -50,7 +49,7 @@ namespace mrpt_mapconv
  * likelihoodMethod = lmLikelihoodField_Thrun   // see COccupancyGridMap2D::TLikelihoodOptions
  * \endcode
  */
-class CScanShapeGridMap2D : public mrpt::maps::COccupancyGridMap2D
+class CScanShapeGridMap2D : public mrpt::maps::COccupancyGridMap2D, public maps::SelfDescribing
 {
   DEFINE_SERIALIZABLE(CScanShapeGridMap2D, mrpt_mapconv)
 
@@ -76,7 +75,7 @@ class CScanShapeGridMap2D : public mrpt::maps::COccupancyGridMap2D
    * no valid object; nothing if there was none. */
   scan::ProfileStatistics lastScan() const { return m_lastScan; }
   /** Why the last observation changed nothing, in one line; empty if it was inserted. */
-  std::string lastSkip() const { return m_lastSkip; }
+  std::string lastSkip() const { return m_log.lastSkip(); }
   /** Where the grid lies. */
   grid::GridFrame frame() const;
   /** Probability of occupancy of each cell, NaN where it is unknown (exactly 0.5). */
@@ -87,10 +86,12 @@ class CScanShapeGridMap2D : public mrpt::maps::COccupancyGridMap2D
   void getVisualizationInto(mrpt::opengl::CSetOfObjects& scene) const override;
   void saveMetricMapRepresentationToFile(const std::string& prefix) const override;
   std::string asString() const override;
+  /** How 3D scans are seen: scanInsertionOptions.profile. */
+  maps::SelfDescription describe() const override;
 
   /** Where warnings go, what was found in the first 3D scan (not in that of a map that was read
    * from a stream with something in it) and, at level DEBUG, in each. */
-  mrpt::system::COutputLogger& log() { return m_log; }
+  mrpt::system::COutputLogger& log() { return m_log.logger; }
 
  protected:
   void internal_clear() override;
@@ -105,8 +106,6 @@ class CScanShapeGridMap2D : public mrpt::maps::COccupancyGridMap2D
   bool insert3D(const mrpt::obs::CObservation& obs, const mrpt::poses::CPose3D& robotPose);
   bool insert2D(const mrpt::obs::CObservation2DRangeScan& scan,
                 const mrpt::poses::CPose3D& robotPose);
-  bool skip(const mrpt::obs::CObservation& obs, std::string_view why);
-  bool skip(const mrpt::obs::CObservation& obs, std::string_view kind, std::string_view why);
   void checkNear(const mrpt::poses::CPose3D& sensorPose) const;
   bool hasReported();
   void report(const mrpt::obs::CObservation& obs);
@@ -114,14 +113,11 @@ class CScanShapeGridMap2D : public mrpt::maps::COccupancyGridMap2D
   bool isAsStarted() const;
   void makeRoomFor(const grid::GridFrame& needed);
   void checkSize(const grid::GridFrame& frame) const;
-  grid::GridFrame withMargin(const grid::GridFrame& least) const;
   void layOut(const grid::GridFrame& frame);
 
-  mrpt::system::COutputLogger m_log;
-  observation::SayOnceLog m_warnings;
+  maps::MapLog m_log;
   double m_cellSize;  //!< the resolution, which the base class rounds to a float [m]
   scan::ProfileStatistics m_lastScan;
-  std::string m_lastSkip;
   std::unique_ptr<Workspace> m_work;  //!< made for the first 3D scan
 
   MAP_DEFINITION_START(CScanShapeGridMap2D)

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <mrpt_mapconv/grid/Layer.h>
+
+#include <string>
+#include <vector>
+
+namespace mrpt_mapconv::grid
+{
+/** What the values of a layer mean, and so how they are coloured and exported. */
+enum class LayerKind
+{
+  Height,     //!< heights; NaN: not known
+  Slope,      //!< slopes from 0 up; NaN: not known
+  Occupancy,  //!< 0 free, (0, 1] occupied, else unknown
+};
+
+/** A cell of which nothing is known. */
+float unknownCell(LayerKind kind);
+/** "height", "slope" or "occupancy". */
+const char* nameOf(LayerKind kind);
+
+/** A layer and all that files, pictures and views say about it. It does not own the layer. */
+struct StyledLayer
+{
+  std::string name;  //!< of its band in a file, of its own files and of its object in a 3D scene
+  const Layer<float>* layer = nullptr;
+  std::string title = {};  //!< over its picture
+  std::string unit = {};   //!< of its values, e.g. "m"; occupancy has none
+  LayerKind kind = LayerKind::Height;
+  /** Only for Occupancy, on the same frame: a picture shows occupied cells that are free in this
+   * layer as "too steep or too high a step (free for a flying robot)". */
+  const Layer<float>* freeFor = nullptr;
+};
+
+/** The layer of that name.
+ * \exception std::invalid_argument if there is none */
+const StyledLayer& findLayer(const std::vector<StyledLayer>& layers, const std::string& name);
+
+}  // namespace mrpt_mapconv::grid
