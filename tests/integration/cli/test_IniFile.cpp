@@ -84,7 +84,7 @@ TEST_F(IniFile, typosAreNamedInAWarning)
 
 TEST_F(IniFile, theOldNameOfASectionIsReadAndNamedInAWarning)
 {
-  const auto run = convertWith("[insertion]\nmaxrange = 3\n");
+  const auto run = convertWith("[conversion]\nmaxStep = 0.1\n[insertion]\nmaxrange = 3\n");
   EXPECT_EQ(0, run.status);
   EXPECT_EQ(1, warningsIn(run.err)) << run.err;
   EXPECT_TRUE(contains(run.err, "[insertion] is now called [voxelInsertion]")) << run.err;
@@ -95,7 +95,8 @@ TEST_F(IniFile, theOldNameOfASectionIsReadAndNamedInAWarning)
 
 TEST_F(IniFile, theOldNameBesideTheNewOneHasNoEffectAndThatIsSaid)
 {
-  const auto run = convertWith("[insertion]\nmaxrange = far\n[voxelInsertion]\nmaxrange = 3\n");
+  const auto run = convertWith(
+      "[conversion]\nmaxStep = 0.1\n[insertion]\nmaxrange = far\n[voxelInsertion]\nmaxrange = 3\n");
   EXPECT_EQ(0, run.status) << run.err;
   EXPECT_EQ(1, warningsIn(run.err)) << run.err;
   EXPECT_TRUE(contains(run.err, "[insertion] has no effect beside [voxelInsertion]")) << run.err;

@@ -23,7 +23,7 @@ struct params::FieldsOf<mrpt::maps::COccupancyGridMap2D::TInsertionOptions>
       "what a cell along an invalid 2D ray is worth; 0 = maxOccupancyUpdateCertainty");
     v("considerInvalidRangesAsFreeSpace", o.considerInvalidRangesAsFreeSpace, "",
       "whether invalid 2D rays say anything");
-    v("decimation", o.decimation, "", "every how manieth 2D ray is used");
+    v("decimation", o.decimation, "", "of so many 2D rays one is used");
     v("horizontalTolerance", params::Degrees(o.horizontalTolerance), "degrees",
       "how far a 2D scan may be from level");
     v("CFD_features_gaussian_size", o.CFD_features_gaussian_size, "cells",

@@ -1,0 +1,264 @@
+#include <gtest/gtest.h>
+#include <mrpt/config/CConfigFileMemory.h>
+#include <mrpt/io/CMemoryStream.h>
+#include <mrpt_mapconv/params/ListedOptions.h>
+#include <mrpt_mapconv/params/Require.h>
+
+#include <cmath>
+#include <limits>
+#include <sstream>
+
+// A parameter is listed once: what follows from the list, on made-up options.
+namespace colours
+{
+enum class Colour
+{
+  Red,
+  Green
+};
+const std::vector<std::string>& namesOf(Colour)
+{
+  static const std::vector<std::string> names{"red", "green"};
+  return names;
+}
+}  // namespace colours
+
+namespace
+{
+using namespace mrpt_mapconv;
+using mrpt::config::CConfigFileMemory;
+
+/** As they were in version 1 of their stream. */
+struct OldOptions : params::ListedOptions<OldOptions>
+{
+  static constexpr const char* kName = "Options";
+  static constexpr const char* kStreamName = "made-up options";
+  static constexpr std::uint8_t kStreamVersion = 1;
+  double length = 1.5;
+  std::int32_t count = 3;
+
+  template <class S, class V>
+  static void visit(S& o, V&& v)
+  {
+    v("length", o.length, "m", "a length");
+    v("count", o.count, "", "a number");
+  }
+  void check() const { params::require(length > 0, "length", length, "> 0 m"); }
+};
+
+/** As they are in version 2, with a field more of each kind, one of them in the middle. */
+struct Options : params::ListedOptions<Options>
+{
+  static constexpr const char* kName = "Options";
+  static constexpr const char* kStreamName = "made-up options";
+  static constexpr std::uint8_t kStreamVersion = 2;
+  double length = 1.5;
+  float certainty = 0.65f;
+  std::int32_t count = 3;
+  double angle = -1;  // [rad]
+  double unset = std::numeric_limits<double>::quiet_NaN();
+  bool isOn = true;
+  colours::Colour colour = colours::Colour::Red;
+
+  template <class S, class V>
+  static void visit(S& o, V&& v)
+  {
+    using params::since;
+    v("length", o.length, "m", "a length");
+    v("certainty", o.certainty, "", "a float", since(2));
+    v("count", o.count, "", "a number");
+    v("angle", params::Degrees(o.angle), "degrees", "an angle", since(2));
+    v("unset", o.unset, "m", "nothing by default", since(2));
+    v("isOn", o.isOn, "", "a bool", since(2));
+    v("colour", o.colour, "", "a name", params::flag("C").since(2));
+  }
+  void check() const { params::require(length > 0, "length", length, "> 0 m"); }
+};
+
+template <class From, class To>
+void streamed(const From& from, To& to)
+{
+  mrpt::io::CMemoryStream memory;
+  auto archive = mrpt::serialization::archiveFrom(memory);
+  from.writeToStream(archive);
+  memory.Seek(0);
+  to.readFromStream(archive);
+  EXPECT_EQ(memory.getPosition(), memory.getTotalBytesCount()) << "all of it is read";
+}
+
+Options unusual()
+{
+  Options options;
+  options.length = 0.1 + 0.2;  // needs 17 digits
+  options.certainty = 0.7f;
+  options.count = -7;
+  options.angle = 0.5;
+  options.unset = 2.25;
+  options.isOn = false;
+  options.colour = colours::Colour::Green;
+  return options;
+}
+
+std::string failure(const std::string& lines, Options& options)
+{
+  try
+  {
+    options.loadFromConfigFile(CConfigFileMemory("[s]\n" + lines), "s");
+    return "";
+  }
+  catch (const std::runtime_error& error)
+  {
+    return error.what();
+  }
+}
+
+TEST(Fields, AnIniIsReadIntoTheFieldsThatItNames)
+{
+  Options options;
+  ASSERT_EQ(
+      "", failure("length = 2\ncertainty = 0.8\nangle = 90\ncolour = green\nisOn = no\n", options));
+  EXPECT_EQ(2, options.length);
+  EXPECT_EQ(0.8f, options.certainty);
+  EXPECT_EQ(3, options.count) << "not named";
+  EXPECT_DOUBLE_EQ(std::acos(0.0), options.angle) << "radians";
+  EXPECT_TRUE(std::isnan(options.unset));
+  EXPECT_FALSE(options.isOn);
+  EXPECT_EQ(colours::Colour::Green, options.colour);
+}
+
+TEST(Fields, ABadValueIsNamedAndNothingIsRead)
+{
+  for (const auto& [line, message] : std::vector<std::pair<std::string, std::string>>{
+           {"length = -2", "section 's': length = -2 is not valid: it must be > 0 m"},
+           {"count = 2.5", "section 's': count = '2.5' is not valid: it must be a whole number"},
+           {"colour = blue", "section 's': colour = 'blue' is not valid: it must be red or green"},
+           {"angle = steep",
+            "section 's': angle = 'steep' is not valid: it must be a finite number"},
+           {"isOn = perhaps",
+            "section 's': isOn = 'perhaps' is not valid: it must be true or false"}})
+  {
+    Options options;
+    EXPECT_EQ(message, failure("certainty = 0.8\n" + line + "\n", options));
+    EXPECT_EQ(0.65f, options.certainty) << line;
+  }
+}
+
+TEST(Fields, WhatIsSavedReadsTheSame)
+{
+  CConfigFileMemory ini;
+  unusual().saveToConfigFile(ini, "s");
+  EXPECT_EQ("0.7", ini.read_string("s", "certainty", "")) << "and not 0.699999988079071";
+  EXPECT_EQ("green", ini.read_string("s", "colour", ""));
+  Options read;
+  read.loadFromConfigFile(ini, "s");
+  EXPECT_EQ(unusual().length, read.length);
+  EXPECT_EQ(unusual().certainty, read.certainty);
+  EXPECT_EQ(unusual().count, read.count);
+  EXPECT_DOUBLE_EQ(unusual().angle, read.angle);
+  EXPECT_EQ(unusual().unset, read.unset);
+  EXPECT_EQ(unusual().isOn, read.isOn);
+  EXPECT_EQ(unusual().colour, read.colour);
+}
+
+TEST(Fields, WhatIsNotSetIsNotSaved)
+{
+  CConfigFileMemory ini;
+  Options().saveToConfigFile(ini, "s");
+  EXPECT_FALSE(ini.keyExists("s", "unset"));
+  EXPECT_EQ("-1", ini.read_string("s", "angle", "")) << "a default is the same in both units";
+}
+
+TEST(Fields, TheyArePrintedInTheUnitsOfTheIni)
+{
+  std::ostringstream text;
+  unusual().dumpToTextStream(text);
+  EXPECT_NE(std::string::npos, text.str().find("[mrpt_mapconv Options]"));
+  EXPECT_NE(std::string::npos, text.str().find("\ncount                                   = -7\n"));
+  EXPECT_NE(std::string::npos,
+            text.str().find("\ncolour                                  = green\n"));
+  EXPECT_NE(std::string::npos,
+            text.str().find("angle                                   = 28.6478"));
+}
+
+TEST(Fields, AStreamBringsBackEveryBit)
+{
+  Options read;
+  streamed(unusual(), read);
+  EXPECT_EQ(unusual().length, read.length);
+  EXPECT_EQ(unusual().angle, read.angle) << "radians are streamed";
+  EXPECT_EQ(unusual().colour, read.colour);
+  EXPECT_EQ(unusual().isOn, read.isOn);
+  Options empty;
+  streamed(Options(), empty);
+  EXPECT_TRUE(std::isnan(empty.unset));
+}
+
+TEST(Fields, AnOlderStreamLeavesNewFieldsAtTheirDefaults)
+{
+  OldOptions old;
+  old.length = 4;
+  old.count = 9;
+  Options read = unusual();
+  streamed(old, read);
+  EXPECT_EQ(4, read.length);
+  EXPECT_EQ(9, read.count);
+  EXPECT_EQ(0.65f, read.certainty);
+  EXPECT_EQ(-1, read.angle);
+  EXPECT_EQ(colours::Colour::Red, read.colour);
+}
+
+TEST(Fields, ANewerStreamAndAnUnknownNameAreErrors)
+{
+  OldOptions old;
+  try
+  {
+    streamed(Options(), old);
+    ADD_FAILURE() << "read";
+  }
+  catch (const std::runtime_error& error)
+  {
+    EXPECT_STREQ("made-up options: unknown version 2", error.what());
+  }
+  Options bad, read;
+  bad.colour = static_cast<colours::Colour>(5);
+  try
+  {
+    streamed(bad, read);
+    ADD_FAILURE() << "read";
+  }
+  catch (const std::runtime_error& error)
+  {
+    EXPECT_STREQ("made-up options: unknown colour 5", error.what());
+  }
+}
+
+TEST(Fields, ListsSayWhichFieldsHaveAFlag)
+{
+  std::string flags;
+  const Options options;
+  params::visitFields(
+      options,
+      [&](const char* name, const auto&, const char*, const char*, params::About about = {})
+      {
+        if (about.flagType) flags += std::string(name) + " " + about.flagType;
+      });
+  EXPECT_EQ("colour C", flags);
+}
+
+TEST(Text, NumbersReadBackTheSameAndWholly)
+{
+  for (const double value : {0.1, 0.1 + 0.2, 1e-300, -4e8, 1.0 / 3})
+  {
+    double read = 0;
+    EXPECT_TRUE(params::readWhole(params::shortestText(value), read));
+    EXPECT_EQ(value, read);
+  }
+  double kept = 7;
+  for (const char* text : {"", "1x", " 1", "1,5", "--1"})
+    EXPECT_FALSE(params::readWhole(text, kept)) << text;
+  EXPECT_EQ(7, kept);
+  EXPECT_EQ("a b", params::trimmed(" \ta b\r"));
+  EXPECT_EQ("", params::trimmed(" \t"));
+}
+
+}  // namespace
