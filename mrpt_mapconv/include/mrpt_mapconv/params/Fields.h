@@ -121,7 +121,7 @@ auto shownValue(const Field& field)
 template <class Field>
 std::string textOf(const Field& field)
 {
-  const auto value = shownValue(field);
+  auto value = shownValue(field);
   using Value = std::decay_t<decltype(value)>;
   if constexpr (std::is_same_v<Value, std::string>)
     return value;
