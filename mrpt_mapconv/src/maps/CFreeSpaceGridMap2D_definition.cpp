@@ -18,7 +18,7 @@ void CFreeSpaceGridMap2D::TMapDefinition::loadFromConfigFile_map_specific(
 {
   maps::DefinitionSections ini(source, sectionNamePrefix);
   ini.readCreation(creationOpts, genericMapParams);
-  insertionOpts.loadFromConfigFile(source, ini.name("_insertOpts"));
+  voxelInsertionOpts.loadFromConfigFile(source, ini.name("_insertOpts"));
   conversionOpts.loadFromConfigFile(source, ini.name("_conversionOpts"));
   ini.readLikelihood(likelihoodOpts);
   ini.read("_renderOpts", renderOpts);
@@ -28,7 +28,7 @@ void CFreeSpaceGridMap2D::TMapDefinition::loadFromConfigFile_map_specific(
 void CFreeSpaceGridMap2D::TMapDefinition::dumpToTextStream_map_specific(std::ostream& out) const
 {
   params::printFields(creationOpts, out);
-  insertionOpts.dumpToTextStream(out);
+  voxelInsertionOpts.dumpToTextStream(out);
   conversionOpts.dumpToTextStream(out);
   likelihoodOpts.dumpToTextStream(out);
   params::printFields(renderOpts, out);
@@ -40,7 +40,7 @@ mrpt::maps::CMetricMap* CFreeSpaceGridMap2D::internal_CreateFromMapDefinition(
   const auto& def = dynamic_cast<const TMapDefinition&>(definition);
   auto map = std::make_unique<CFreeSpaceGridMap2D>(def.creationOpts.resolution);
   map->warnings().rememberWith(def.said);
-  map->voxelInsertionOptions = def.insertionOpts;
+  map->voxelInsertionOptions = def.voxelInsertionOpts;
   map->setConversionOptions(def.conversionOpts);
   map->likelihoodOptions = def.likelihoodOpts;
   map->renderingOptions = def.renderOpts;

@@ -116,7 +116,7 @@ class CFreeSpaceGridMap2D : public maps::LayerGridMap2D
 
   MAP_DEFINITION_START(CFreeSpaceGridMap2D)
   mrpt_mapconv::voxel::VoxelMapParams creationOpts;
-  mrpt_mapconv::voxel::TVoxelInsertionOptions insertionOpts;
+  mrpt_mapconv::voxel::TVoxelInsertionOptions voxelInsertionOpts;
   mrpt_mapconv::freespace::TConversionOptions conversionOpts;
   mrpt::maps::COccupancyGridMap2D::TLikelihoodOptions likelihoodOpts;
   mrpt_mapconv::freespace::TLayerSceneOptions renderOpts;
