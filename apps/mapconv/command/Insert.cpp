@@ -212,7 +212,7 @@ int insert(const InsertOptions& options)
 
 void addMethodOptions(CLI::App& app, ScanFlags& flags)
 {
-  flags.grid.addTo(app);
+  flags.grid.addTo(app, isNumber());
   flags.profile.addTo(app);
   app.add_flag("--no-reflection-filter", flags.noReflectionFilter,
                "keep what is seen behind walls and in glass");

@@ -49,7 +49,8 @@ std::string parametersText()
       "prefix that an MRPT\nprogram gives, e.g. "
       "`[MappingApplication_freeSpaceGrid_00_insertOpts]`, "
       "and those of `mapconv -c FILE.ini`.\n"
-      "\n## freeSpaceGrid, `mapconv convert` and `mapconv project`\n";
+      "\n## freeSpaceGrid and `mapconv convert`\n\n`mapconv project` reads `[voxelInsertion]`, "
+      "too.\n";
   text += tableOf<voxel::VoxelMapParams>("`_creationOpts`", "");
   text += tableOf<voxel::TVoxelInsertionOptions>("`_insertOpts`; `[voxelInsertion]`", "");
   text += tableOf<freespace::TConversionOptions>("`_conversionOpts`; `[conversion]`", "convert");
@@ -60,12 +61,12 @@ std::string parametersText()
   text += tableOf<mrpt::maps::COccupancyGridMap2D::TInsertionOptions>(
       "`_insertOpts`; `[scanInsertion]`: COccupancyGridMap2D's own, for 2D scans", "");
   text +=
-      "\n`_likelihoodOpts` of both are those of COccupancyGridMap2D. Flags of `insert` that stand "
-      "for "
-      "no single key or for its\nopposite: `--structure MIN MAX` (structureMinZ, structureMaxZ), "
-      "`--no-reflection-filter`, `--no-2d`. `_creationOpts`\nalso have the flags of all of MRPT's "
-      "maps: `enableSaveAs3DObject`, `enableObservationLikelihood`,\n"
-      "`enableObservationInsertion`.\n";
+      "\n`_likelihoodOpts` of both are those of COccupancyGridMap2D. `_creationOpts` also have the "
+      "flags of all of MRPT's maps:\n`enableSaveAs3DObject`, `enableObservationLikelihood`, "
+      "`enableObservationInsertion`. Flags beside those in the tables:\n`--resolution` of "
+      "`convert` "
+      "and `project`; `--structure MIN MAX` (structureMinZ, structureMaxZ),\n"
+      "`--no-reflection-filter` and `--no-2d` of `insert`.\n";
   return text;
 }
 

@@ -4,8 +4,10 @@
 #include <mrpt_mapconv/params/Fields.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cctype>
 #include <map>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <type_traits>
@@ -31,8 +33,10 @@ template <class Params>
 class FieldFlags
 {
  public:
-  /** \param app keeps pointing at this object */
-  void addTo(CLI::App& app)
+  /** \param app keeps pointing at this object
+   * \param first asked of each number before the struct is; else the parser complains of what is
+   * none */
+  void addTo(CLI::App& app, const std::optional<CLI::Validator>& first = {})
   {
     namespace fields = mrpt_mapconv::params;
     fields::visitFields(m_defaults,
@@ -40,14 +44,26 @@ class FieldFlags
                             const std::string& meaning, fields::About about = {})
                         {
                           if (!about.flagType) return;
-                          const std::string help = meaning +
-                                                   (unit.empty() ? "" : " [" + unit + "]") +
-                                                   ", default " + fields::textOf(field);
-                          add(app, name, field, help)->type_name(about.flagType);
+                          const std::string help =
+                              withUnit(meaning, unit) + ", default " + fields::textOf(field);
+                          add(app, name, field, help, first)->type_name(about.flagType);
                         });
   }
 
   bool given(const std::string& field) const { return m_given.count(field) != 0; }
+  /** Sets the fields of those that were given; what is valid together is for the caller to check.
+   */
+  void applyTo(Params& params) const
+  {
+    mrpt_mapconv::params::visitFields(params,
+                                      [this](const char* name, auto&& field, const char*,
+                                             const char*, mrpt_mapconv::params::About = {})
+                                      {
+                                        const auto text = m_given.find(name);
+                                        if (text != m_given.end())
+                                          mrpt_mapconv::params::setFromText(text->second, field);
+                                      });
+  }
   /** Writes those that were given into a section; they replace what is there. */
   void writeTo(mrpt::config::CConfigFileBase& ini, const std::string& section) const
   {
@@ -55,9 +71,16 @@ class FieldFlags
   }
 
  private:
+  /** The unit stands before what a semicolon adds. */
+  static std::string withUnit(const std::string& meaning, const std::string& unit)
+  {
+    const auto end = std::min(meaning.find(';'), meaning.size());
+    return meaning.substr(0, end) + (unit.empty() ? "" : " [" + unit + "]") + meaning.substr(end);
+  }
+
   template <class Field>
   CLI::Option* add(CLI::App& app, const std::string& name, const Field& field,
-                   const std::string& help)
+                   const std::string& help, const std::optional<CLI::Validator>& first)
   {
     namespace fields = mrpt_mapconv::params;
     using Value = std::decay_t<decltype(fields::shownValue(field))>;
@@ -67,10 +90,13 @@ class FieldFlags
     if constexpr (std::is_enum_v<Field>)
       return option->check(CLI::IsMember(namesOf(field)));
     else
+    {
+      if (first) option->check(*first);
       return option->check(isValid<Value>(name));
+    }
   }
 
-  /** What is valid is asked of the struct. */
+  /** What is valid is asked of the struct, which may complain of other fields: those come later. */
   template <class Value>
   static CLI::Validator isValid(const std::string& name)
   {
@@ -107,7 +133,8 @@ class FieldFlags
     }
     catch (const std::invalid_argument& error)
     {
-      return error.what();
+      const std::string complaint = error.what();
+      if (complaint.rfind(name + " = ", 0) == 0) return complaint;
     }
     return "";
   }

@@ -33,7 +33,7 @@ std::string complaintAbout(const std::string& name, const std::vector<IniSection
   for (const auto& section : sections)
   {
     if (name == section.name) return "";
-    if (name != section.oldName) continue;
+    if (section.oldName.empty() || name != section.oldName) continue;
     if (nameIn(ini, section) == section.name)
       return "section [" + name + "] has no effect beside [" + section.name +
              "], which is its new name";
@@ -83,13 +83,14 @@ void warnUnknownKeys(const params::StrictSection& section, const std::string& pa
 
 IniOptions readIni(const std::string& path, const FieldFlags<freespace::ConversionParams>& flags)
 {
-  CConfigFileMemory ini = openIni(path, {kConversion, kVoxelInsertion});
-  flags.writeTo(ini, kConversion.name);
+  const CConfigFileMemory ini = openIni(path, {kConversion, kVoxelInsertion});
   IniOptions options;
   try
   {
     readSection(ini, kConversion, path, options.conversion);
     readSection(ini, kVoxelInsertion, path, options.insertion);
+    flags.applyTo(options.conversion.params);
+    options.conversion.check();
   }
   catch (const std::exception& error)
   {

@@ -24,10 +24,10 @@ ConversionParams readParams(const std::string& path)
   ConversionParams params;
   ConversionParams::visit(
       params,
-      [&](const char* name, auto& value, const char*, const char*, params::About about = {})
+      [&](const char* name, auto&& value, const char*, const char*, params::About about = {})
       {
         const std::string* text = itemOf(items, name, about, path);
-        if (text && !params::readWhole(*text, value))
+        if (text && !params::setFromText(*text, value))
           throw std::runtime_error("cannot read '" + path + "': its " + name + " = '" + *text +
                                    "' is no number");
       });

@@ -37,7 +37,13 @@ StrictSection::StrictSection(const mrpt::config::CConfigFileBase& source, std::s
 {
 }
 
-bool StrictSection::has(const std::string& key) const { return m_source.keyExists(m_section, key); }
+bool StrictSection::has(const std::string& key) const
+{
+  // MRPT finds a key whatever its capitals, but lists it as it is
+  std::vector<std::string> keys;
+  m_source.getAllKeys(m_section, keys);
+  return std::find(keys.begin(), keys.end(), key) != keys.end();
+}
 
 std::string StrictSection::text(const std::string& key)
 {

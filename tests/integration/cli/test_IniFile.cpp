@@ -57,6 +57,35 @@ TEST_F(IniFile, flagsWin)
   EXPECT_EQ(1.0, used["minClearance"].number);
 }
 
+TEST_F(IniFile, aFlagDoesNotHideABadValueOfTheFile)
+{
+  for (const char* value : {"banana", "-1", "nan", "1,5", ""})
+  {
+    const auto run = convertWith(std::string("[conversion]\nminClearance = ") + value + "\n",
+                                 {"--min-clearance", "0.5"});
+    EXPECT_EQ(1, run.status) << value;
+    EXPECT_TRUE(contains(run.err, "section 'conversion': minClearance = ")) << run.err;
+  }
+}
+
+TEST_F(IniFile, aKeyInOtherCapitalsHasNoEffectAndThatIsSaid)
+{
+  const auto run = convertWith("[conversion]\nMINCLEARANCE = 0.7\nmaxStep = 0.1\n");
+  ASSERT_EQ(0, run.status) << run.err;
+  EXPECT_TRUE(contains(run.err, "unknown key 'MINCLEARANCE' has no effect")) << run.err;
+  EXPECT_EQ(1.0, parseJson(run.out)["parameters"]["minClearance"].number);
+}
+
+TEST_F(IniFile, keysBeforeAnySectionAreOfAnUnknownOne)
+{
+  const auto run = convertWith("minClearance = 2\n[conversion]\nmaxStep = 0.1\n");
+  EXPECT_EQ(0, run.status) << run.err;
+  EXPECT_EQ(1, warningsIn(run.err)) << run.err;
+  EXPECT_TRUE(
+      contains(run.err, "unknown section [] has no effect; [conversion] and [voxelInsertion] do"))
+      << run.err;
+}
+
 TEST_F(IniFile, theShippedFileHoldsTheDefaults)
 {
   const auto without = convertWith("[conversion]\n");

@@ -69,6 +69,17 @@ TEST_F(InsertInput, theOldNameOfTheSectionIsReadAndNamedInAWarning)
   EXPECT_EQ(4, parseJson(before.out)["parameters"]["sectors"].number);
 }
 
+TEST_F(InsertInput, aResolutionThatIsNoNumberIsSaidToBeNone)
+{
+  for (const std::string text : {"abc", "1,5"})
+  {
+    const auto run = insert("chair.rawlog", {"--resolution=" + text, "--no-reflection-filter"});
+    EXPECT_EQ(2, run.status) << text;
+    EXPECT_TRUE(contains(run.err, "--resolution: '" + text + "' is not valid: it must be a number"))
+        << run.err;
+  }
+}
+
 TEST_F(InsertInput, theFilterNeedsAStructureSliceAndTheErrorSaysHowToGiveIt)
 {
   const std::vector<std::string> ways = {"--structure", "structureMinZ", "structureMaxZ",

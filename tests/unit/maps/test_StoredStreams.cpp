@@ -1,9 +1,11 @@
+#include <gtest/gtest.h>
 #include <mrpt/version.h>
 #include <octomap/OcTree.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <filesystem>
 
 #include "StoredMaps.h"
 #include "support/ScanFixtures.h"
@@ -14,19 +16,35 @@ using mrpt::maps::CMultiMetricMap;
 using mrpt::serialization::CSerializable;
 
 // Maps that somebody has saved must load for ever, as they were, and a map must be saved with the
-// same bytes: tests/stored_streams holds what released versions have written. To write the files of
-// a new version, run these tests with MAPCONV_WRITE_STORED=its folder; those of a version that is
-// out stay as they are.
+// same bytes: tests/stored_streams holds what released versions have written, a folder for each
+// that wrote other bytes than the one before. All of them must load; maps are saved as the newest
+// has it. To write the files of a new version, run these tests with MAPCONV_WRITE_STORED=its
+// folder; those of a version that is out stay as they are.
 
 namespace
 {
-const std::string kFolder = MRPT_MAPCONV_SOURCE_DIR "/tests/stored_streams/v0.1/";
+/** The folders with streams, the newest last. */
+std::vector<std::string> folders()
+{
+  std::vector<std::string> all;
+  for (const auto& folder :
+       std::filesystem::directory_iterator(MRPT_MAPCONV_SOURCE_DIR "/tests/stored_streams"))
+    all.push_back(folder.path().string() + "/");
+  std::sort(all.begin(), all.end());
+  return all;
+}
+
+/** What a version has stored. */
+class StoredVersion : public ::testing::TestWithParam<std::string>
+{
+};
+INSTANTIATE_TEST_SUITE_P(Streams, StoredVersion, ::testing::ValuesIn(folders()));
 
 std::string textOf(const std::vector<std::uint8_t>& bytes) { return {bytes.begin(), bytes.end()}; }
 
 CSerializable::Ptr load(const std::string& file)
 {
-  const std::string stored = readBytes(kFolder + file);
+  const std::string stored = readBytes(file);
   CSerializable::Ptr object;
   mrpt::serialization::OctetVectorToObject({stored.begin(), stored.end()}, object);
   return object;
@@ -36,7 +54,7 @@ template <class Map>
 std::shared_ptr<Map> loadAs(const std::string& file)
 {
   auto map = std::dynamic_pointer_cast<Map>(load(file));
-  EXPECT_TRUE(map) << kFolder + file;
+  EXPECT_TRUE(map) << file;
   return map;
 }
 
@@ -62,7 +80,7 @@ TEST(StoredStreams, AMapMadeAnewHasTheStoredBytes)
   {
     const std::string made = textOf(bytes(*make()));
     if (folder) writeBytes(std::string(folder) + "/" + file, made);
-    expectSameBytes(readBytes(kFolder + file), made, file);
+    expectSameBytes(readBytes(folders().back() + file), made, file);
   }
 }
 
@@ -71,15 +89,16 @@ TEST(StoredStreams, ALoadedMapIsSavedWithTheSameBytes)
   if (!bytesAreMrpt258s()) GTEST_SKIP() << "the streams hold objects of MRPT 2.5.8";
   for (const auto& [file, make] : storedStreams())
   {
-    const auto object = load(file);
-    ASSERT_TRUE(object) << file;
-    expectSameBytes(readBytes(kFolder + file), textOf(bytes(*object)), file);
+    const std::string path = folders().back() + file;
+    const auto object = load(path);
+    ASSERT_TRUE(object) << path;
+    expectSameBytes(readBytes(path), textOf(bytes(*object)), path);
   }
 }
 
-TEST(StoredStreams, AnEmptyFreeSpaceMapHasTheDefaults)
+TEST_P(StoredVersion, AnEmptyFreeSpaceMapHasTheDefaults)
 {
-  const auto map = loadAs<CFreeSpaceGridMap2D>("freespace_empty.bin");
+  const auto map = loadAs<CFreeSpaceGridMap2D>(GetParam() + "freespace_empty.bin");
   ASSERT_TRUE(map);
   EXPECT_TRUE(map->isEmpty());
   EXPECT_EQ(0.1, map->octree().getResolution());
@@ -107,9 +126,9 @@ TEST(StoredStreams, AnEmptyFreeSpaceMapHasTheDefaults)
   EXPECT_TRUE(map->genericMapParams.enableSaveAs3DObject);
 }
 
-TEST(StoredStreams, AnEmptyScanShapeMapHasTheDefaults)
+TEST_P(StoredVersion, AnEmptyScanShapeMapHasTheDefaults)
 {
-  const auto map = loadAs<CScanShapeGridMap2D>("scanshape_empty.bin");
+  const auto map = loadAs<CScanShapeGridMap2D>(GetParam() + "scanshape_empty.bin");
   ASSERT_TRUE(map);
   EXPECT_TRUE(map->isEmpty());
   EXPECT_EQ(0.05, map->frame().resolution);
@@ -136,25 +155,25 @@ TEST(StoredStreams, AnEmptyScanShapeMapHasTheDefaults)
   EXPECT_TRUE(map->genericMapParams.enableSaveAs3DObject);
 }
 
-TEST(StoredStreams, AFreeSpaceMapHasItsOptionsAndLayers)
+TEST_P(StoredVersion, AFreeSpaceMapHasItsOptionsAndLayers)
 {
-  const auto map = loadAs<CFreeSpaceGridMap2D>("freespace_scans.bin");
+  const auto map = loadAs<CFreeSpaceGridMap2D>(GetParam() + "freespace_scans.bin");
   ASSERT_TRUE(map);
   expectStoredFreeSpaceOptions(*map);
   expectStoredFreeSpaceCells(*map);
 }
 
-TEST(StoredStreams, AScanShapeMapHasItsOptionsAndCells)
+TEST_P(StoredVersion, AScanShapeMapHasItsOptionsAndCells)
 {
-  const auto map = loadAs<CScanShapeGridMap2D>("scanshape_scans.bin");
+  const auto map = loadAs<CScanShapeGridMap2D>(GetParam() + "scanshape_scans.bin");
   ASSERT_TRUE(map);
   expectStoredScanShapeOptions(*map);
   expectStoredScanShapeCells(*map);
 }
 
-TEST(StoredStreams, AMultiMetricMapHasBoth)
+TEST_P(StoredVersion, AMultiMetricMapHasBoth)
 {
-  const auto both = loadAs<CMultiMetricMap>("multimetric.bin");
+  const auto both = loadAs<CMultiMetricMap>(GetParam() + "multimetric.bin");
   ASSERT_TRUE(both);
   ASSERT_EQ(2u, both->maps.size());
   const auto freeSpace = both->mapByClass<CFreeSpaceGridMap2D>();

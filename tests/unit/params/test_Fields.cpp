@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <limits>
+#include <map>
 #include <sstream>
 
 // A parameter is listed once: what follows from the list, on made-up options.
@@ -173,11 +174,63 @@ TEST(Fields, TheyArePrintedInTheUnitsOfTheIni)
   std::ostringstream text;
   unusual().dumpToTextStream(text);
   EXPECT_NE(std::string::npos, text.str().find("[mrpt_mapconv Options]"));
-  EXPECT_NE(std::string::npos, text.str().find("\ncount                                   = -7\n"));
   EXPECT_NE(std::string::npos,
-            text.str().find("\ncolour                                  = green\n"));
+            text.str().find("\ncount                                    = -7\n"));
   EXPECT_NE(std::string::npos,
-            text.str().find("angle                                   = 28.6478"));
+            text.str().find("\ncolour                                   = green\n"));
+  EXPECT_NE(std::string::npos,
+            text.str().find("angle                                    = 28.647890\n"));
+}
+
+TEST(Fields, TheyArePrintedAsMrptPrintsItsOptions)
+{
+  struct Mrpts : mrpt::config::CLoadableOptions
+  {
+    void loadFromConfigFile(const mrpt::config::CConfigFileBase&, const std::string&) override {}
+    void dumpToTextStream(std::ostream& out) const override
+    {
+      dumpVar_double(out, "length", 0.1 + 0.2);
+      dumpVar_int(out, "count", -7);
+      dumpVar_bool(out, "isOn", false);
+    }
+  };
+  std::ostringstream mrpts, ours;
+  Mrpts().dumpToTextStream(mrpts);
+  params::printFields(unusual(), ours);
+  std::istringstream lines(mrpts.str());
+  for (std::string line; std::getline(lines, line);)
+    EXPECT_NE(std::string::npos, ours.str().find(line + "\n")) << line << " in\n" << ours.str();
+}
+
+TEST(Fields, TheirTextsSetThem)
+{
+  Options read;
+  const Options from = unusual();
+  std::map<std::string, std::string> texts;
+  params::forEachText(from, [&](const char* name, const std::string& text) { texts[name] = text; });
+  params::visitFields(
+      read, [&](const char* name, auto&& field, const char*, const char*, params::About = {})
+      { EXPECT_TRUE(params::setFromText(texts.at(name), field)) << name; });
+  EXPECT_EQ(from.length, read.length);
+  EXPECT_EQ(from.certainty, read.certainty);
+  EXPECT_EQ(from.count, read.count);
+  EXPECT_DOUBLE_EQ(from.angle, read.angle);
+  EXPECT_EQ(from.isOn, read.isOn);
+  EXPECT_EQ(from.colour, read.colour);
+  EXPECT_FALSE(params::setFromText("yes", read.isOn));
+  EXPECT_FALSE(params::setFromText("blue", read.colour));
+  EXPECT_FALSE(params::setFromText("1.5", read.count));
+  EXPECT_FALSE(params::setFromText("steep", params::Degrees(read.angle)));
+}
+
+TEST(Fields, AKeyInOtherCapitalsIsUnknownAndNotRead)
+{
+  const CConfigFileMemory source("[s]\nLENGTH = 4\n");
+  params::StrictSection ini(source, "s");
+  Options options;
+  params::readFields(ini, options);
+  EXPECT_EQ(1.5, options.length);
+  EXPECT_EQ(std::vector<std::string>{"LENGTH"}, ini.unknownKeys());
 }
 
 TEST(Fields, AStreamBringsBackEveryBit)

@@ -23,7 +23,7 @@ struct ConversionParams
     v("minClearance", p.minClearance, "m", "a free range must be at least this high", flag("M"));
     v("minOccupancy", p.minOccupancy, "",
       "least share of a neighbour's free range that blocks, 0 to 1", flag("P"));
-    v("slopeWindow", p.slopeWindow, "cells", "around a cell over which its slope is fitted",
+    v("slopeWindow", p.slopeWindow, "cells", "half side of the window over which a cell's slope is fitted",
       flag("N"));
     v("maxSlope", p.maxSlope, "m/m", "steepest slope for a ground robot", flag("S"));
     v("maxStep", p.maxStep, "m", "highest step for a ground robot; 0 = not looked at", flag("M"));

@@ -2,10 +2,12 @@
 
 #include <mrpt/config/CConfigFileBase.h>
 #include <mrpt/core/bits_math.h>
+#include <mrpt/core/format.h>
 #include <mrpt/serialization/CArchive.h>
 #include <mrpt_mapconv/params/StrictSection.h>
 #include <mrpt_mapconv/params/Text.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <iomanip>
@@ -131,6 +133,36 @@ std::string textOf(const Field& field)
     return shortestText(value);
 }
 
+/** Reads what textOf() gives, wholly. \return false, and the field as it was, for any other text */
+template <class Field>
+bool setFromText(const std::string& text, Field&& field)
+{
+  using Value = std::decay_t<Field>;
+  if constexpr (isDegrees<Value>)
+  {
+    auto degrees = field.value();
+    if (!readWhole(text, degrees)) return false;
+    field.set(degrees);
+    return true;
+  }
+  else if constexpr (std::is_same_v<Value, bool>)
+  {
+    if (text != "true" && text != "false") return false;
+    field = text == "true";
+    return true;
+  }
+  else if constexpr (std::is_enum_v<Value>)
+  {
+    const auto& names = namesOf(field);
+    const auto name = std::find(names.begin(), names.end(), text);
+    if (name == names.end()) return false;
+    field = static_cast<Value>(name - names.begin());
+    return true;
+  }
+  else
+    return readWhole(text, field);
+}
+
 /** False for a number that is not set (NaN), which a file leaves out. */
 template <class Field>
 bool isSet(const Field& field)
@@ -189,13 +221,23 @@ void saveFields(const Params& params, mrpt::config::CConfigFileBase& target,
               { target.write(section, name, text); });
 }
 
-/** Prints "name = value" lines, aligned as MRPT's. */
+/** Prints "name = value" lines as MRPT prints its options. */
 template <class Params>
 void printFields(const Params& params, std::ostream& out)
 {
   visitFields(params,
               [&out](const char* name, const auto& field, const char*, const char*, About = {})
-              { out << std::left << std::setw(40) << name << "= " << textOf(field) << "\n"; });
+              {
+                const auto value = shownValue(field);
+                using Value = std::decay_t<decltype(value)>;
+                out << std::left << std::setw(41) << name << "= ";
+                if constexpr (std::is_same_v<Value, bool>)
+                  out << (value ? "YES" : "NO") << "\n";
+                else if constexpr (std::is_same_v<Value, double>)
+                  out << mrpt::format("%f", value) << "\n";
+                else
+                  out << value << "\n";
+              });
 }
 
 /** Appends all fields to a stream, in the order of the list; what they are has to be known. */

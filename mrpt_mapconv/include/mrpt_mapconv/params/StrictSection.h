@@ -22,6 +22,7 @@ class StrictSection
   StrictSection(const mrpt::config::CConfigFileBase& source, std::string section);
 
   const std::string& name() const { return m_section; }
+  /** True for a key with just these capitals, so that what is read is not called unknown. */
   bool has(const std::string& key) const;
 
   /** Reads a key if it is there; else the value stays as it is.
