@@ -164,6 +164,27 @@ TEST(CStepGridMap2D, SaysWhatItSkips)
   EXPECT_EQ(map.lastSkip(), "it has no point within maxRange");
 }
 
+/** As the maps of a particle filter are made. */
+TEST(CStepGridMap2D, SaysOnceForAllMapsOfADefinitionWhatTheySkip)
+{
+  const mrpt::config::CConfigFileMemory ini(
+      "[map]\nstepGrid_count = 1\n[map_stepGrid_00_insertOpts]\nmaxRange = 0.5\n");
+  mrpt::maps::TSetOfMetricMapInitializers makers;
+  makers.loadFromConfigFile(ini, "map");
+  std::size_t warnings = 0;
+  for (int particle = 0; particle < 3; ++particle)
+  {
+    mrpt::maps::CMultiMetricMap maps;
+    maps.setListOfMaps(makers);
+    const auto map = maps.mapByClass<CStepGridMap2D>();
+    map->log().logRegisterCallback([&](std::string_view, const mrpt::system::VerbosityLevel level,
+                                       std::string_view, const mrpt::Clock::time_point)
+                                   { warnings += level == mrpt::system::LVL_WARN; });
+    EXPECT_FALSE(map->insertObservation(kerbScan(), CPose3D()));
+  }
+  EXPECT_EQ(warnings, 1u);
+}
+
 /** A class costs about 150 lines beside its algorithm: what LayerGridMap2D does not do for it. */
 TEST(CStepGridMap2D, HasAtMost150Lines)
 {

@@ -50,7 +50,7 @@ void writeOutputs(const PlanOptions& options, const MapFolder& map, const planni
                                mrpt::format("path, %.1f m, from the ring to the disc", way.length)};
   files::writeFile(out.path(file.filename().string()), pathCsv(way.path));
   grid::writeLayerPng(out.path(stem + ".png"), picture, path);
-  writePathScene(out.path(stem + ".3Dscene"), map, way.path);
+  writePathScene(out.path(stem + ".3Dscene"), map.layers(), map.octree(), way.path);
 }
 
 int plan(const PlanOptions& options)

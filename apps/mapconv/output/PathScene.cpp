@@ -5,7 +5,7 @@
 #include <mrpt/opengl/CSetOfLines.h>
 #include <mrpt/opengl/CSphere.h>
 #include <mrpt_mapconv/files/ObjectWriter.h>
-#include <mrpt_mapconv/freespace/LayerScene.h>
+#include <mrpt_mapconv/freespace/FreeSpaceScene.h>
 #include <mrpt_mapconv/grid/PictureColors.h>
 #include <octomap/OcTree.h>
 
@@ -87,12 +87,13 @@ void insertPath(mrpt::opengl::COpenGLScene& scene, const path::LiftedPath& path,
 }
 }  // namespace
 
-void writePathScene(const std::string& file, const MapFolder& map, const path::LiftedPath& path)
+void writePathScene(const std::string& file, const freespace::Layers& layers,
+                    const octomap::AbstractOcTree* octree, const path::LiftedPath& path)
 {
   double highest = path.points.front().position.z;
   for (const auto& point : path.points) highest = std::max(highest, point.position.z);
   mrpt::opengl::COpenGLScene scene;
-  if (const auto* tree = dynamic_cast<const octomap::OcTree*>(map.octree()))
+  if (const auto* tree = dynamic_cast<const octomap::OcTree*>(octree))
   {
     constexpr double kShownAbovePath = 1.0;
     scene.insert(occupiedVoxels(*tree, highest + kShownAbovePath));
@@ -100,10 +101,10 @@ void writePathScene(const std::string& file, const MapFolder& map, const path::L
   else
   {
     auto objects = mrpt::opengl::CSetOfObjects::Create();
-    freespace::drawLayers(map.layers(), {}, *objects);
+    freespace::drawFreeSpace(layers, {}, *objects);
     scene.insert(objects);
   }
-  insertPath(scene, path, map.layers().frame().resolution);
+  insertPath(scene, path, layers.frame().resolution);
   files::writeObject(file, scene);
 }
 

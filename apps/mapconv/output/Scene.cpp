@@ -3,7 +3,7 @@
 #include <mrpt/opengl/CGridPlaneXY.h>
 #include <mrpt/opengl/COpenGLScene.h>
 #include <mrpt_mapconv/files/ObjectWriter.h>
-#include <mrpt_mapconv/freespace/LayerScene.h>
+#include <mrpt_mapconv/freespace/FreeSpaceScene.h>
 
 #include <algorithm>
 #include <cmath>
@@ -48,7 +48,7 @@ mrpt::opengl::COpenGLScene sceneOf(const Layers& layers)
 {
   const double below = mrpt_mapconv::grid::heightBelow(layers.floor);
   auto objects = mrpt::opengl::CSetOfObjects::Create();
-  mrpt_mapconv::freespace::drawLayers(layers, {}, *objects);
+  mrpt_mapconv::freespace::drawFreeSpace(layers, {}, *objects);
   mrpt_mapconv::grid::drawOccupancy(layers.ground, below, false, *objects);
 
   mrpt::opengl::COpenGLScene scene;

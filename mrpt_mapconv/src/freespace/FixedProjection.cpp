@@ -1,12 +1,12 @@
+#include <mrpt/core/format.h>
 #include <mrpt_mapconv/freespace/Conversion.h>
 #include <mrpt_mapconv/freespace/FixedProjection.h>
 #include <mrpt_mapconv/grid/OccupancyCell.h>
+#include <mrpt_mapconv/params/Require.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <sstream>
-#include <stdexcept>
 
 #include "../grid/Parallel.h"
 
@@ -56,10 +56,8 @@ std::array<bool, kBlockColumns> anyWithin(const voxel::ColumnBlock& block,
 
 KeyInterval checkedKeys(double zMin, double zMax, double resolution)
 {
-  if (zMin < zMax) return keysWithin(zMin, zMax, resolution);
-  std::ostringstream message;
-  message << "zMin = " << zMin << " is not valid: it must be below zMax = " << zMax;
-  throw std::invalid_argument(message.str());
+  params::require(zMin < zMax, "zMin", zMin, "below zMax = " + mrpt::format("%g", zMax));
+  return keysWithin(zMin, zMax, resolution);
 }
 
 /** Writes the wanted columns of a block that has been read. */

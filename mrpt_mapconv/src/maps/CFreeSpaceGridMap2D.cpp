@@ -185,7 +185,7 @@ void CFreeSpaceGridMap2D::drawLayers(mrpt::opengl::CSetOfObjects& scene) const
   const auto layers = exactLayers();
   const double below = grid::heightBelow(layers.floor);
   grid::drawOccupancy(shownOf(layers), below, !renderingOptions.showFloor, scene);
-  freespace::drawLayers(layers, renderingOptions, scene);
+  freespace::drawFreeSpace(layers, renderingOptions, scene);
 }
 
 }  // namespace mrpt_mapconv

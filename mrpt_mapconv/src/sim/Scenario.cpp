@@ -103,14 +103,7 @@ void readTruth(const CConfigFileMemory& ini, Scenario& scenario)
   section.read("maxStep", scenario.truth.maxStep);
   section.refuseUnknown("the truth");
   checkTruthFrame(section, scenario);
-  try
-  {
-    scenario.truth.check();
-  }
-  catch (const std::invalid_argument& error)
-  {
-    throw std::runtime_error("section 'truth': " + std::string(error.what()));
-  }
+  section.checked([&] { scenario.truth.check(); });
 }
 
 /** Bodies beyond the bounds are no part of the truth; who wrote one mistook a number. */

@@ -67,6 +67,7 @@ mrpt::maps::CMetricMap* CStepGridMap2D::internal_CreateFromMapDefinition(
 {
   const auto& def = dynamic_cast<const TMapDefinition&>(definition);
   auto map = std::make_unique<CStepGridMap2D>(def.creationOpts.resolution);
+  map->warnings().rememberWith(def.said);
   map->insertionParams = def.insertionOpts;
   map->likelihoodOptions = def.likelihoodOpts;
   return map.release();

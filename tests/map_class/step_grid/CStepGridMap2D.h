@@ -43,6 +43,7 @@ class CStepGridMap2D : public mrpt_mapconv::maps::LayerGridMap2D
   step_grid::StepGridParams creationOpts;
   step_grid::StepParams insertionOpts;
   mrpt::maps::COccupancyGridMap2D::TLikelihoodOptions likelihoodOpts;
+  mrpt_mapconv::observation::SayOnceLog said;  //!< by all maps made of it, e.g. one per particle
   MAP_DEFINITION_END(CStepGridMap2D)
 };
 

@@ -71,11 +71,38 @@ void checkCommands(const fs::path& root, Complaints& complaints)
       if (const auto right = fs::path("command") / fileOf(subcommand); name != right)
         complaints.push_back(place + ": subcommand " + subcommand + " belongs into " +
                              right.string());
-    if (const auto used = allMatches(textOf(file), "^#include \"(command/[^\"]*)\"");
-        !used.empty() && name.parent_path() != "command" && name != "main.cpp")
-      complaints.push_back(place + ": includes " + used.front() + ", above which is only main.cpp");
     if (name.parent_path() == "command" && subcommands.empty() && name != "command/Command.h")
       complaints.push_back(place + ": declares no subcommand");
+  }
+}
+
+/** Why a file of one of the program's folders may not include another of its files; empty if it
+ * may. */
+std::string whyNotIncluded(const std::string& folder, const fs::path& include)
+{
+  static const Floors floors({"output", "input", "experiment", "command"});
+  const std::string other = (*include.begin()).string();
+  if (!floors.has(other)) return "it is in no folder of the program";
+  if (!floors.mayInclude(folder, other)) return folder + " lies below " + other;
+  static const Names ofOutput = {"output/Console.h", "output/Json.h", "output/Progress.h"};
+  if (folder == "input" && other == "output" && ofOutput.count(include.string()) == 0)
+    return "input uses Console, Json and Progress only";
+  return {};
+}
+
+/** Only main.cpp is above all folders. */
+void checkProgramArrows(const fs::path& root, Complaints& complaints)
+{
+  const fs::path program = root / "apps/mapconv";
+  for (const fs::path& file : sourcesBelow(program))
+  {
+    const fs::path name = file.lexically_relative(program);
+    if (name == "main.cpp") continue;
+    for (const std::string& include :
+         allMatches(textOf(file), "^[ \t]*#[ \t]*include[ \t]*\"([^\"]+)\""))
+      if (const auto why = whyNotIncluded((*name.begin()).string(), include); !why.empty())
+        complaints.push_back(file.lexically_relative(root).string() + ": includes " + include +
+                             ": " + why);
   }
 }
 
@@ -129,6 +156,7 @@ Complaints complaintsAboutFolders(const fs::path& root, const Floors& floors)
   checkEntries(root, "apps/mapconv", {"command", "input", "output", "experiment", "main.cpp"},
                "is none of command, input, output, experiment and main.cpp", complaints);
   checkCommands(root, complaints);
+  checkProgramArrows(root, complaints);
   checkConfig(root, complaints);
   checkUnitTests(root, floors, complaints);
   checkTestsUseNoProgram(root, complaints);

@@ -38,8 +38,9 @@ using Complaints = std::vector<std::string>;
 Complaints complaintsAboutLibrary(const std::filesystem::path& root, const Floors& floors);
 
 /** Entries of the top level that have no place there; folders and files of apps that are not
- * command, input, output or experiment; subcommands that do not have a file of their name, alone,
- * and what includes command but is not main.cpp;
+ * command, input, output or experiment; subcommands that do not have a file of their name, alone;
+ * includes of the program that do not go down from command to experiment to input to output, or
+ * from input to more than output's Console, Json and Progress;
  * folders of config that are neither worlds, experiments nor a class that is registered with MRPT;
  * folders of tests/unit that are no room; tests that are built with the program's sources. */
 Complaints complaintsAboutFolders(const std::filesystem::path& root, const Floors& floors);

@@ -228,13 +228,31 @@ TEST(MadeUpHouse, ASubcommandHasAFileOfItsName)
              "add_subcommand(\"cook-soup\")\nadd_subcommand(\"eat\")\n");
   tree.write("apps/mapconv/command/Helper.cpp", "");
   tree.write("apps/mapconv/input/Wash.cpp", "add_subcommand(\"wash\")\n");
-  tree.write("apps/mapconv/output/Dish.cpp", "#include \"command/Command.h\"\n");
   EXPECT_EQ(lines(tree.complaints()),
             "apps/mapconv/command/CookSoup.cpp: subcommand eat belongs into command/Eat.cpp\n"
             "apps/mapconv/command/Helper.cpp: declares no subcommand\n"
-            "apps/mapconv/input/Wash.cpp: subcommand wash belongs into command/Wash.cpp\n"
-            "apps/mapconv/output/Dish.cpp: includes command/Command.h, above which is only "
-            "main.cpp\n");
+            "apps/mapconv/input/Wash.cpp: subcommand wash belongs into command/Wash.cpp\n");
+}
+
+TEST(MadeUpHouse, AnArrowUpInTheProgramIsRefused)
+{
+  const Tree tree;
+  const auto write = [&](const std::string& file, const std::string& include)
+  { tree.write("apps/mapconv/" + file, "#include \"" + include + "\"\n"); };
+  write("experiment/taste/Taste.cpp", "input/Wash.h");
+  write("experiment/Taste.h", "command/Command.h");
+  write("input/Wash.h", "output/Json.h");
+  write("input/Wash.cpp", "output/Dish.h");
+  write("output/Dish.h", "input/Wash.h");
+  write("output/Dish.cpp", "../input/Wash.h");
+  EXPECT_EQ(lines(tree.complaints()),
+            "apps/mapconv/experiment/Taste.h: includes command/Command.h: experiment lies below "
+            "command\n"
+            "apps/mapconv/input/Wash.cpp: includes output/Dish.h: input uses Console, Json and "
+            "Progress only\n"
+            "apps/mapconv/output/Dish.cpp: includes ../input/Wash.h: it is in no folder of the "
+            "program\n"
+            "apps/mapconv/output/Dish.h: includes input/Wash.h: output lies below input\n");
 }
 
 TEST(MadeUpHouse, APageWithoutAFullTableIsRefused)

@@ -120,7 +120,7 @@ TEST(CFreeSpaceGridMap2DInSlam, NoCopyHasAResizedGrid)
   expectGridOfLayers(assigned);
 }
 
-TEST(CFreeSpaceGridMap2DInSlam, AResizedGridIsLaidOutOnceByManyThreads)
+TEST(CFreeSpaceGridMap2DInSlam, ManyThreadsCopyAResizedGridAtOnce)
 {
   const auto right = roomMap().getRawMap();
   for (int round = 0; round < 20; ++round)

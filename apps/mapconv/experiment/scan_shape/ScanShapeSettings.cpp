@@ -202,7 +202,7 @@ ScanShapeSettings readScanShapeSettings(const ExperimentJob& job)
 void failRegion(const ExperimentJob& job, const eval::MapRegion& region, const std::string& key,
                 const std::string& right)
 {
-  StrictSection(job.ini, region.section()).fail(key, right);
+  StrictSection(job.ini, kRegion + region.name).fail(key, right);
 }
 
 }  // namespace mapconv

@@ -9,12 +9,10 @@ namespace mrpt_mapconv::eval
 /** A rectangle in which maps are looked at more closely. */
 struct MapRegion
 {
-  std::string name;     //!< the section's, after "region."
+  std::string name;     //!< what it is called
   std::string kind;     //!< what leads into it
   sim::Footprint area;  //!< that is judged
   sim::Footprint room;  //!< the one behind, of which scans may be left out
-
-  std::string section() const { return "region." + name; }
 };
 
 /** True if a rectangle holds a place [m]. */

@@ -1,31 +1,3 @@
 #pragma once
 
-#include <mrpt/opengl/CSetOfObjects.h>
-#include <mrpt_mapconv/freespace/Layers.h>
-#include <mrpt_mapconv/grid/LayerScene.h>
-#include <mrpt_mapconv/params/Fields.h>
-
-namespace mrpt_mapconv::freespace
-{
-/** What drawLayers() shows. */
-struct TLayerSceneOptions
-{
-  bool showFloor = true;
-  bool showCeiling = false;
-  bool colorBySlope = false;  //!< colour the floor by its slope instead of its height
-
-  template <class S, class V>
-  static void visit(S& o, V&& v)
-  {
-    v("showFloor", o.showFloor, "", "draw the floor as a surface");
-    v("showCeiling", o.showCeiling, "", "draw the ceiling, too");
-    v("colorBySlope", o.colorBySlope, "", "colour the floor by its slope instead of its height");
-  }
-};
-
-/** Adds the floor (and the ceiling) to a 3D scene, as surfaces in the map frame [m] made of MRPT's
- * own objects, so that a scene file opens in SceneViewer3D without this library. */
-void drawLayers(const freespace::Layers& layers, const TLayerSceneOptions& options,
-                mrpt::opengl::CSetOfObjects& scene);
-
-}  // namespace mrpt_mapconv::freespace
+#include <mrpt_mapconv/freespace/FreeSpaceScene.h>  // for command/Params.cpp, until it names that

@@ -2,7 +2,7 @@
 
 #include <mrpt_mapconv/freespace/Conversion.h>
 #include <mrpt_mapconv/freespace/ConversionOptions.h>
-#include <mrpt_mapconv/freespace/LayerScene.h>
+#include <mrpt_mapconv/freespace/FreeSpaceScene.h>
 #include <mrpt_mapconv/maps/LayerGridMap2D.h>
 #include <mrpt_mapconv/voxel/VoxelInsertion.h>
 #include <mrpt_mapconv/voxel/VoxelMapParams.h>

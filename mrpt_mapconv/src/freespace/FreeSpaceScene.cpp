@@ -1,9 +1,9 @@
-#include <mrpt_mapconv/freespace/LayerScene.h>
+#include <mrpt_mapconv/freespace/FreeSpaceScene.h>
 
 namespace mrpt_mapconv::freespace
 {
-void drawLayers(const freespace::Layers& layers, const TLayerSceneOptions& options,
-                mrpt::opengl::CSetOfObjects& scene)
+void drawFreeSpace(const freespace::Layers& layers, const TLayerSceneOptions& options,
+                   mrpt::opengl::CSetOfObjects& scene)
 {
   const auto floor = layers.styled("floor"), ceiling = layers.styled("ceiling");
   if (options.showFloor)
