@@ -1,5 +1,5 @@
 #include <mrpt_mapconv/freespace/ConversionOptions.h>
-#include <mrpt_mapconv/freespace/LayerScene.h>
+#include <mrpt_mapconv/freespace/FreeSpaceScene.h>
 #include <mrpt_mapconv/maps/GridInsertionOptions.h>
 #include <mrpt_mapconv/scan/ScanGridParams.h>
 #include <mrpt_mapconv/scan/ScanInsertionOptions.h>

@@ -203,4 +203,10 @@ std::vector<Waypoint> GridSearch::bestPath(const Waypoint& from, const Waypoint&
   return best;
 }
 
+GridPath planOnGrid(const grid::Layer<float>& occupancy, const mrpt::math::TPoint2D& start,
+                    const mrpt::math::TPoint2D& goal, double robotRadius)
+{
+  return GridSearch(occupancy, start, goal, robotRadius).plan();
+}
+
 }  // namespace mrpt_mapconv::planning
