@@ -32,7 +32,8 @@ struct InsertOptions
 {
   std::string file, iniFile, outputDir;
   ScanFlags flags;
-  bool staticSensor = false, json = false;
+  observation::RawlogOptions log;
+  bool json = false;
 };
 
 /** The map without the room that it has left for further scans. */
@@ -196,8 +197,8 @@ int insert(const InsertOptions& options)
   ScanInserter inserter(readScanSettings(options.iniFile, options.flags));
   job.checkOutput(options.outputDir);
 
-  const ScanFile file = job.stage(
-      "load", [&] { return read3DScans(options.file, options.staticSensor, job.progress()); });
+  const ScanFile file =
+      job.stage("load", [&] { return read3DScans(options.file, options.log, job.progress()); });
   job.stage("insert", "inserting the scans of " + options.file,
             [&] { insertAll(file.scans, options.file, inserter, job.progress()); });
   warnOf2D(inserter.figures());
@@ -240,7 +241,7 @@ std::pair<CLI::App*, Command> addInsert(CLI::App& app)
   sub->add_option("-c,--config", options->iniFile, "options: sections [scanInsertion], [map]")
       ->type_name("FILE.ini");
   addMethodOptions(*sub, options->flags);
-  addStaticOption(*sub, options->staticSensor);
+  addPoseOptions(*sub, options->log);
   sub->footer(
       "Example:\n"
       "  mapconv insert office.rawlog -o map --structure 2.2 2.6\n"

@@ -25,8 +25,7 @@ void warnOfUnusedOptions(const InputRequest& request, double resolution)
   if (request.resolution)
     printWarning("--resolution " + jsonNumber(*request.resolution) + " has no effect: " +
                  request.file + " has voxels of " + jsonNumber(resolution) + " m");
-  if (request.staticSensor)
-    printWarning("--static has no effect: " + request.file + " is no rawlog");
+  warnOfRawlogOptions(request.log, request.file);
 }
 
 std::unique_ptr<octomap::OcTree> buildTree(const std::vector<observation::PosedObservation>& scans,
@@ -110,7 +109,7 @@ void InputMap::readObject(const InputRequest& request, Progress& progress)
 
 void InputMap::buildFromScans(FileKind kind, const InputRequest& request, Progress& progress)
 {
-  const ScanFile file = readScans(request.file, kind, request.staticSensor);
+  const ScanFile file = readScans(request.file, kind, request.log);
   progress.stage("inserting the scans of " + request.file);
   m_ownTree = buildTree(file.scans, request, progress);
   useTree(*m_ownTree);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <mrpt/serialization/CSerializable.h>
+#include <mrpt_mapconv/observation/ScanLog.h>
 #include <mrpt_mapconv/voxel/VoxelInsertion.h>
 #include <mrpt_mapconv/voxel/VoxelSource.h>
 
@@ -23,8 +24,8 @@ namespace mapconv
 struct InputRequest
 {
   std::string file;
-  std::optional<double> resolution;  //!< of a voxel map that is built from scans [m]
-  bool staticSensor = false;         //!< the sensor of a rawlog stood still
+  std::optional<double> resolution;              //!< of a voxel map that is built from scans [m]
+  mrpt_mapconv::observation::RawlogOptions log;  //!< where the poses of a rawlog come from
   mrpt_mapconv::voxel::TVoxelInsertionOptions insertion;  //!< how scans are inserted
 };
 

@@ -56,9 +56,15 @@ void addOutputOptions(CLI::App& app, std::string& dir, bool& json)
   app.add_flag("--json", json, "print the summary as one JSON object");
 }
 
-void addStaticOption(CLI::App& app, bool& staticSensor)
+void addPoseOptions(CLI::App& app, observation::RawlogOptions& options)
 {
-  app.add_flag("--static", staticSensor, "the sensor of the rawlog stood still: needs no poses");
+  app.add_flag("--static", options.staticSensor,
+               "the sensor of the rawlog stood still: needs no poses");
+  app.add_option(
+         "--pose-source", options.poseSource,
+         "label of the rawlog's observations that poses come from, default: robot poses, else "
+         "odometry, of those labelled alike that are most")
+      ->type_name("LABEL");
 }
 
 void addInputOptions(CLI::App& app, InputOptions& options)
@@ -76,7 +82,7 @@ void addInputOptions(CLI::App& app, InputOptions& options)
                      params::textOf(voxel::VoxelMapParams().resolution))
       ->check(isPositive())
       ->type_name("M");
-  addStaticOption(app, options.input.staticSensor);
+  addPoseOptions(app, options.input.log);
   app.add_option("--threads", options.threads, "number of threads, default 0 = all cores")
       ->check(CLI::Range(0, 1024).description(""))
       ->type_name("N");

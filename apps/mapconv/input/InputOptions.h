@@ -22,7 +22,8 @@ void addInputOptions(CLI::App& app, InputOptions& options);
 
 /** The options for where results go and how the summary is printed. */
 void addOutputOptions(CLI::App& app, std::string& dir, bool& json);
-void addStaticOption(CLI::App& app, bool& staticSensor);
+/** The options for where the poses of a rawlog come from. */
+void addPoseOptions(CLI::App& app, mrpt_mapconv::observation::RawlogOptions& options);
 
 /** Accepts finite numbers from 0 on. */
 CLI::Validator isNotNegative();

@@ -56,28 +56,35 @@ std::optional<FileKind> logKindOf(const CSerializable& object)
   return std::nullopt;
 }
 
-ScanFile readScans(const std::string& path, FileKind kind, bool staticSensor)
+void warnOfRawlogOptions(const observation::RawlogOptions& options, const std::string& path)
+{
+  if (options.staticSensor) printWarning("--static has no effect: " + path + " is no rawlog");
+  if (!options.poseSource.empty())
+    printWarning("--pose-source has no effect: " + path + " is no rawlog");
+}
+
+ScanFile readScans(const std::string& path, FileKind kind,
+                   const observation::RawlogOptions& options)
 {
   const ConsoleLog log;
   ScanFile file;
   if (kind == FileKind::Rawlog)
   {
-    observation::RawlogOptions options;
-    options.staticSensor = staticSensor;
     file.scans = observation::readRawlog(path, options, &log);
     file.description = describe("rawlog", file.scans);
     return file;
   }
-  if (staticSensor) printWarning("--static has no effect: " + path + " is no rawlog");
+  warnOfRawlogOptions(options, path);
   file.scans = observation::readSimpleMap(path, &log);
   file.description = describe("simplemap", file.scans);
   return file;
 }
 
-ScanFile read3DScans(const std::string& path, bool staticSensor, Progress& progress)
+ScanFile read3DScans(const std::string& path, const observation::RawlogOptions& options,
+                     Progress& progress)
 {
   progress.stage("reading " + path);
-  ScanFile file = readScans(path, logKindIn(path), staticSensor);
+  ScanFile file = readScans(path, logKindIn(path), options);
   const bool any =
       std::any_of(file.scans.begin(), file.scans.end(),
                   [](const PosedObservation& s) { return observation::is3DScan(*s.observation); });

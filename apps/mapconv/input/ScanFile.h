@@ -22,14 +22,20 @@ struct ScanFile
 /** Which of both an object is the (first) part of; nothing if it is no part of either. */
 std::optional<FileKind> logKindOf(const mrpt::serialization::CSerializable& object);
 
-/** Reads one or the other, warning of what is left out and of --static where it has no effect.
+/** Warns of options that only rawlogs know, for a file that is none. */
+void warnOfRawlogOptions(const mrpt_mapconv::observation::RawlogOptions& options,
+                         const std::string& path);
+
+/** Reads one or the other, warning of what is left out and of options where they have no effect.
  * \param kind Rawlog or SimpleMap
  * \exception std::runtime_error in one line naming the file and what is wrong with it */
-ScanFile readScans(const std::string& path, FileKind kind, bool staticSensor);
+ScanFile readScans(const std::string& path, FileKind kind,
+                   const mrpt_mapconv::observation::RawlogOptions& options);
 
 /** The same for a file of any name that has to hold 3D scans.
  * \exception std::runtime_error likewise, also if it holds something else or
  * only 2D scans */
-ScanFile read3DScans(const std::string& path, bool staticSensor, Progress& progress);
+ScanFile read3DScans(const std::string& path,
+                     const mrpt_mapconv::observation::RawlogOptions& options, Progress& progress);
 
 }  // namespace mapconv

@@ -3,6 +3,7 @@
 #include <mrpt_mapconv/observation/FinitePose.h>
 #include <mrpt_mapconv/observation/PoseTrack.h>
 
+#include <algorithm>
 #include <iterator>
 
 namespace mrpt_mapconv::observation
@@ -34,27 +35,40 @@ bool PoseTrack::insert(TTimeStamp time, const CPose3D& pose)
   return true;
 }
 
-std::optional<CPose3D> PoseTrack::at(TTimeStamp time) const
+PoseTrack::Coverage PoseTrack::coverage(TTimeStamp time, double maxGap) const
 {
   using mrpt::system::timeDifference;
-  if (m_poses.empty() || time == INVALID_TIMESTAMP) return std::nullopt;
+  if (time == INVALID_TIMESTAMP) return Coverage::NoTime;
+  if (m_poses.empty()) return Coverage::Outside;
   const auto next = m_poses.lower_bound(time);
   if (next == m_poses.end())
-  {
-    const auto& [lastTime, last] = *std::prev(next);
-    if (timeDifference(lastTime, time) > kTolerance) return std::nullopt;
-    return last;
-  }
-  if (next->first == time) return next->second;
-  if (next == m_poses.begin())
-  {
-    if (timeDifference(time, next->first) > kTolerance) return std::nullopt;
-    return next->second;
-  }
+    return timeDifference(m_poses.rbegin()->first, time) > kTolerance ? Coverage::Outside
+                                                                      : Coverage::Known;
+  if (next->first == time) return Coverage::Known;
+  const double ahead = timeDifference(time, next->first);
+  if (next == m_poses.begin()) return ahead > kTolerance ? Coverage::Outside : Coverage::Known;
+  const double behind = timeDifference(std::prev(next)->first, time);
+  return std::max(ahead, behind) > maxGap ? Coverage::Gap : Coverage::Known;
+}
+
+std::optional<CPose3D> PoseTrack::at(TTimeStamp time, double maxGap) const
+{
+  using mrpt::system::timeDifference;
+  if (coverage(time, maxGap) != Coverage::Known) return std::nullopt;
+  const auto next = m_poses.lower_bound(time);
+  if (next == m_poses.end()) return m_poses.rbegin()->second;
+  if (next->first == time || next == m_poses.begin()) return next->second;
   const auto previous = std::prev(next);
   const double share =
       timeDifference(previous->first, time) / timeDifference(previous->first, next->first);
   return between(previous->second, next->second, share);
+}
+
+double PoseTrack::gapAt(TTimeStamp time) const
+{
+  const auto next = m_poses.lower_bound(time);
+  if (next == m_poses.begin() || next == m_poses.end()) return 0;
+  return mrpt::system::timeDifference(std::prev(next)->first, next->first);
 }
 
 }  // namespace mrpt_mapconv::observation

@@ -72,6 +72,43 @@ std::optional<CPose3D> movement(const CActionCollection& actions)
 
 using Tracks = std::map<std::string, PoseTrack>;  //!< by the label of their source
 
+/** Why scans have no pose. */
+class LeftOut
+{
+ public:
+  void add(const PoseTrack& track, mrpt::system::TTimeStamp time, double maxGap)
+  {
+    const auto coverage = track.coverage(time, maxGap);
+    m_noTime += coverage == PoseTrack::Coverage::NoTime;
+    m_outside += coverage == PoseTrack::Coverage::Outside;
+    if (coverage != PoseTrack::Coverage::Gap) return;
+    ++m_inGaps;
+    m_longestGap = std::max(m_longestGap, track.gapAt(time));
+  }
+
+  std::string reasons(double maxGap) const
+  {
+    std::string text;
+    const auto append = [&text](std::size_t count, const std::string& why)
+    {
+      if (count == 0) return;
+      text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + why;
+    };
+    append(
+        m_inGaps,
+        mrpt::format("in gaps between the poses (the longest is %.1f s; both poses around a scan "
+                     "must be within %g s of it)",
+                     m_longestGap, maxGap));
+    append(m_outside, "outside the time span of the poses");
+    append(m_noTime, "without a time stamp");
+    return text;
+  }
+
+ private:
+  std::size_t m_inGaps = 0, m_outside = 0, m_noTime = 0;
+  double m_longestGap = 0;
+};
+
 /** The parts of a rawlog that matter here. */
 class Log
 {
@@ -117,13 +154,15 @@ class Log
   }
 
   /** The scans whose pose is known. */
-  std::vector<PosedObservation> posed() const
+  std::vector<PosedObservation> posed(const RawlogOptions& options) const
   {
+    const double maxGap = options.maxPoseGap;
     if (m_badPoses > 0)
       warn(m_log, std::to_string(m_badPoses) +
                       " poses without a time or with NaN or infinite coordinates are left out");
-    if (!m_robotPoses.empty()) return along(longest(m_robotPoses));
-    if (!m_odometry.empty()) return along(longest(m_odometry));
+    if (!options.poseSource.empty()) return along(labelled(options.poseSource), maxGap);
+    if (!m_robotPoses.empty()) return along(longest(m_robotPoses), maxGap);
+    if (!m_odometry.empty()) return along(longest(m_odometry), maxGap);
     return m_scans;
   }
 
@@ -148,7 +187,7 @@ class Log
   {
     if (!obs) return;
     if (const auto pose = std::dynamic_pointer_cast<mrpt::obs::CObservationRobotPose>(obs))
-      add(m_robotPoses, *obs, pose->pose.mean);
+      add(m_robotPoses, *obs, pose->pose.mean + (-pose->sensorPose));
     else if (const auto odo = std::dynamic_pointer_cast<mrpt::obs::CObservationOdometry>(obs))
       add(m_odometry, *obs, CPose3D(odo->odometry));
     else if (isScan(*obs))
@@ -167,21 +206,45 @@ class Log
     const auto shorter = [](const auto& a, const auto& b)
     { return a.second.size() < b.second.size(); };
     const auto most = std::max_element(tracks.begin(), tracks.end(), shorter);
-    if (tracks.size() > 1)
-      warn(m_log, "poses come from " + std::to_string(tracks.size()) +
-                      " sources; those labelled '" + most->first + "' are used");
+    if (m_robotPoses.size() + m_odometry.size() > 1)
+      warn(m_log, "poses come from several sources: " + sources() + "; those of '" + most->first +
+                      "' are used (--pose-source LABEL chooses others)");
     return most->second;
   }
 
-  std::vector<PosedObservation> along(const PoseTrack& track) const
+  /** The track with a label. */
+  const PoseTrack& labelled(const std::string& label) const
+  {
+    for (const auto* tracks : {&m_robotPoses, &m_odometry})
+      if (const auto track = tracks->find(label); track != tracks->end()) return track->second;
+    throw std::runtime_error("no poses are labelled '" + label + "'; there are: " +
+                             (sources().empty() ? std::string("none") : sources()));
+  }
+
+  /** Their labels and how many poses each has. */
+  std::string sources() const
+  {
+    std::string text;
+    for (const auto* tracks : {&m_robotPoses, &m_odometry})
+      for (const auto& [label, track] : *tracks)
+        text += (text.empty() ? "'" : ", '") + label + "' (" + std::to_string(track.size()) +
+                (tracks == &m_odometry ? " of odometry)" : ")");
+    return text;
+  }
+
+  std::vector<PosedObservation> along(const PoseTrack& track, double maxGap) const
   {
     std::vector<PosedObservation> out;
+    LeftOut lost;
     for (const auto& scan : m_scans)
-      if (const auto pose = track.at(scan.observation->timestamp))
+      if (const auto pose = track.at(scan.observation->timestamp, maxGap))
         out.push_back({scan.observation, *pose});
-    if (const auto lost = m_scans.size() - out.size(); lost > 0)
-      warn(m_log, std::to_string(lost) + " of " + std::to_string(m_scans.size()) +
-                      " scans are left out: they lie outside the time span of the poses");
+      else
+        lost.add(track, scan.observation->timestamp, maxGap);
+    if (out.size() < m_scans.size())
+      warn(m_log, std::to_string(m_scans.size() - out.size()) + " of " +
+                      std::to_string(m_scans.size()) +
+                      " scans are left out: " + lost.reasons(maxGap));
     return out;
   }
 
@@ -198,6 +261,18 @@ bool has3DScan(const std::vector<PosedObservation>& scans)
 {
   return std::any_of(scans.begin(), scans.end(),
                      [](const PosedObservation& s) { return is3DScan(*s.observation); });
+}
+
+/** Errors name the file. */
+std::vector<PosedObservation> posedScans(const Log& log, const RawlogOptions& options,
+                                         const std::string& path)
+try
+{
+  return log.posed(options);
+}
+catch (const std::runtime_error& error)
+{
+  throw std::runtime_error(path + ": " + error.what());
 }
 
 /** Reads all entries. Scans stay, the rest of a log, above all its images, is let go at once. */
@@ -258,13 +333,14 @@ std::vector<PosedObservation> readRawlog(const std::string& path, const RawlogOp
     if (scans3D == 1) return log.only3DAtIdentity();
     throw std::runtime_error(path + ": " + std::to_string(scans3D) +
                              " 3D scans but no robot poses and no odometry (if the sensor stood "
-                             "still: RawlogOptions::staticSensor, in mapconv --static)");
+                             "still, say so: --static)");
   }
-  auto scans = log.posed();
+  auto scans = posedScans(log, options, path);
   if (!has3DScan(scans))
     throw std::runtime_error(path +
                              ": no 3D scan lies within the time span of the poses, give or take " +
-                             mrpt::format("%.1f s", PoseTrack::kTolerance));
+                             mrpt::format("%.1f s, and within %g s of both poses around it",
+                                          PoseTrack::kTolerance, options.maxPoseGap));
   return scans;
 }
 

@@ -48,7 +48,8 @@ void expectColumns(const TempDir& dir, const std::string& file, const std::vecto
 TEST(Scans, rawlogPosesAreInterpolatedToTheScansTime)
 {
   const TempDir dir;
-  writeObjects(dir.path("drive.rawlog"), {robotAt(0, 0), lookDown(0), lookDown(5), robotAt(1, 10)});
+  writeObjects(dir.path("drive.rawlog"),
+               {robotAt(0, 0), lookDown(0), lookDown(0.5), robotAt(1, 1)});
   expectColumns(dir, "drive.rawlog", {0, 5});
 }
 
@@ -56,7 +57,7 @@ TEST(Scans, odometryServesWhereThereAreNoPoses)
 {
   const TempDir dir;
   writeObjects(dir.path("drive.rawlog"),
-               {odometryAt(0, 0), lookDown(0), lookDown(2), odometryAt(1, 10)}, true);
+               {odometryAt(0, 0), lookDown(0), lookDown(0.2), odometryAt(1, 1)}, true);
   expectColumns(dir, "drive.rawlog", {0, 2});
 }
 

@@ -34,7 +34,7 @@ TEST(PoseTrack, MovesInAStraightLineAndTurnsEvenly)
   EXPECT_EQ(track.size(), 2u);
   expectPose(track.at(at(1)), pose(1, 2, 3, 0, 0, 0));
   expectPose(track.at(at(3)), pose(5, 6, 7, 90, 0, 0));
-  expectPose(track.at(at(1.5)), pose(2, 3, 4, 22.5, 0, 0));
+  expectPose(track.at(at(1.5), 2), pose(2, 3, 4, 22.5, 0, 0));
   expectPose(track.at(at(2)), pose(3, 4, 5, 45, 0, 0));
 }
 
@@ -70,6 +70,29 @@ TEST(PoseTrack, HoldsItsEndsForATenthOfASecond)
   EXPECT_FALSE(track.at(at(-0.11)));
   EXPECT_FALSE(track.at(at(1.11)));
   EXPECT_FALSE(track.at(INVALID_TIMESTAMP));
+}
+
+TEST(PoseTrack, KnowsNothingInAGap)
+{
+  using Coverage = PoseTrack::Coverage;
+  PoseTrack track;
+  track.insert(at(0), pose(1, 0, 0, 0, 0, 0));
+  track.insert(at(2), pose(3, 0, 0, 0, 0, 0));
+  track.insert(at(62), pose(9, 0, 0, 0, 0, 0));
+  expectPose(track.at(at(1)), pose(2, 0, 0, 0, 0, 0));
+  EXPECT_FALSE(track.at(at(0.9))) << "1.1 s before a pose";
+  EXPECT_FALSE(track.at(at(1.1))) << "1.1 s after one";
+  EXPECT_FALSE(track.at(at(2.5))) << "near one of both only";
+  EXPECT_TRUE(track.at(at(2))) << "at a pose";
+  EXPECT_TRUE(track.at(at(2.5), 60));
+  EXPECT_EQ(Coverage::Gap, track.coverage(at(30)));
+  EXPECT_EQ(Coverage::Outside, track.coverage(at(63)));
+  EXPECT_EQ(Coverage::Outside, track.coverage(at(-1)));
+  EXPECT_EQ(Coverage::NoTime, track.coverage(INVALID_TIMESTAMP));
+  EXPECT_EQ(Coverage::Known, track.coverage(at(62.05)));
+  EXPECT_EQ(Coverage::Outside, PoseTrack().coverage(at(0)));
+  EXPECT_NEAR(60, track.gapAt(at(30)), 1e-6);
+  EXPECT_EQ(0, track.gapAt(at(90)));
 }
 
 TEST(PoseTrack, RefusesWhatIsNoPose)

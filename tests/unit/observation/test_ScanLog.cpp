@@ -200,6 +200,76 @@ TEST(Rawlog, ScansOutsideThePosesAreCounted)
   EXPECT_TRUE(contains(log.texts[0], "2 of 5 scans")) << log.texts[0];
 }
 
+TEST(Rawlog, ScansInGapsOfThePosesAreCountedWithTheLongestGap)
+{
+  const TempDir dir;
+  auto stampless = cloudAt(0);
+  stampless->timestamp = INVALID_TIMESTAMP;
+  for (const bool odometry : {false, true})
+  {
+    const auto pose = [&](double seconds, double x) {
+      return odometry ? odometryAt(seconds, x, 0, 0) : poseAt(seconds, {x, 0, 0, 0, 0, 0});
+    };
+    const auto path =
+        rawlog(dir, {pose(0, 0), cloudAt(0.5), pose(1, 1), cloudAt(3), cloudAt(20), cloudAt(30.5),
+                     pose(31, 2), cloudAt(33), pose(35, 3), cloudAt(40), stampless});
+    const Warnings log;
+    const auto scans = readRawlog(path, {}, &log);
+    ASSERT_EQ(1u, scans.size());
+    expectPose(scans[0].robotPose, 0.5, 0, 0, 0);
+    ASSERT_EQ(1u, log.texts.size());
+    for (const char* words :
+         {"6 of 7 scans", "4 in gaps", "30.0 s", "1 outside", "1 without a time"})
+      EXPECT_TRUE(contains(log.texts[0], words)) << log.texts[0];
+    RawlogOptions patient;
+    patient.maxPoseGap = 60;
+    EXPECT_EQ(5u, readRawlog(path, patient).size());
+  }
+}
+
+TEST(Rawlog, TheSensorsPoseIsTakenOffARobotPose)
+{
+  const TempDir dir;
+  auto pose = mrpt::obs::CObservationRobotPose::Create();
+  pose->timestamp = at(0);
+  pose->pose.mean = CPose3D(2, 3, 0.4, mrpt::DEG2RAD(90.0), 0, 0);  // of what stands on the robot
+  pose->sensorPose = CPose3D(0.5, 0, 0.4, mrpt::DEG2RAD(90.0), 0, 0);
+  const auto scans = readRawlog(rawlog(dir, {pose, cloudAt(0)}));
+  ASSERT_EQ(1u, scans.size());
+  expectPose(scans[0].robotPose, 1.5, 3, 0, 0);  // 0.5 m behind it along x, not turned
+}
+
+TEST(Rawlog, TheSourceOfThePosesCanBeChosen)
+{
+  const TempDir dir;
+  const auto path =
+      rawlog(dir, {poseAt(0, {1, 0, 0, 0, 0, 0}, "slam"), poseAt(0.5, {1, 0, 0, 0, 0, 0}, "slam"),
+                   poseAt(0, {2, 0, 0, 0, 0, 0}, "gps"), odometryAt(0, 3, 0, 0), cloudAt(0)});
+  const Warnings log;
+  expectPose(readRawlog(path, {}, &log).at(0).robotPose, 1, 0, 0, 0);
+  ASSERT_EQ(1u, log.texts.size());
+  for (const char* words :
+       {"'slam' (2)", "'gps' (1)", "'' (1 of odometry)", "those of 'slam'", "--pose-source"})
+    EXPECT_TRUE(contains(log.texts[0], words)) << log.texts[0];
+
+  RawlogOptions options;
+  options.poseSource = "gps";
+  const Warnings silent;
+  expectPose(readRawlog(path, options, &silent).at(0).robotPose, 2, 0, 0, 0);
+  EXPECT_TRUE(silent.texts.empty());
+  options.poseSource = "lidar";
+  try
+  {
+    readRawlog(path, options);
+    ADD_FAILURE() << "read";
+  }
+  catch (const std::runtime_error& error)
+  {
+    for (const std::string& words : {path, std::string("'lidar'"), std::string("'gps' (1)")})
+      EXPECT_TRUE(contains(error.what(), words)) << error.what();
+  }
+}
+
 TEST(Rawlog, NoScanWithinThePosesIsAnError)
 {
   const TempDir dir;

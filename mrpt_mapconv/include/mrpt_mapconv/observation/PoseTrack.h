@@ -16,6 +16,9 @@ class PoseTrack
   /** How far outside its time span the track still answers, with its first or last pose [s]: one
    * turn of a lidar at 10 Hz, since sensor and localization rarely start together. */
   static constexpr double kTolerance = 0.1;
+  /** How far both poses around a time may be from it [s]: what happens between poses that are
+   * farther apart is anybody's guess. */
+  static constexpr double kMaxGap = 1.0;
 
   /** Adds a pose; one of the same time is replaced.
    * \return false, and nothing added, for an invalid time or a pose that is not finite */
@@ -24,9 +27,23 @@ class PoseTrack
   bool empty() const { return m_poses.empty(); }
   std::size_t size() const { return m_poses.size(); }
 
-  /** The pose at a time: position linear and orientation slerp between the neighbours, however far
-   * apart they are; the first or last pose up to kTolerance outside; else nothing. */
-  std::optional<mrpt::poses::CPose3D> at(mrpt::system::TTimeStamp time) const;
+  /** What the track knows of a time. */
+  enum class Coverage
+  {
+    Known,
+    NoTime,   //!< the time itself is not valid
+    Outside,  //!< more than kTolerance before the first pose or behind the last one
+    Gap       //!< between two poses of which one is too far away
+  };
+  /** \param maxGap how far both neighbouring poses may be from a time between them [s] */
+  Coverage coverage(mrpt::system::TTimeStamp time, double maxGap = kMaxGap) const;
+
+  /** The pose at a time: position linear and orientation slerp between the neighbours; the first or
+   * last pose up to kTolerance outside; nothing unless the time is Coverage::Known. */
+  std::optional<mrpt::poses::CPose3D> at(mrpt::system::TTimeStamp time,
+                                         double maxGap = kMaxGap) const;
+  /** Time between the two poses around a time [s]; 0 if there are not two. */
+  double gapAt(mrpt::system::TTimeStamp time) const;
 
  private:
   std::map<mrpt::system::TTimeStamp, mrpt::poses::CPose3D> m_poses;

@@ -3,6 +3,7 @@
 #include <mrpt/obs/CObservation.h>
 #include <mrpt/poses/CPose3D.h>
 #include <mrpt/system/COutputLogger.h>
+#include <mrpt_mapconv/observation/PoseTrack.h>
 
 #include <string>
 #include <vector>
@@ -30,22 +31,28 @@ struct RawlogOptions
 {
   /** The robot stood still: every scan is at the identity, poses in the log are not looked at. */
   bool staticSensor = false;
+  /** A scan between two poses is used only if both are that near in time [s]. */
+  double maxPoseGap = PoseTrack::kMaxGap;
+  /** Label of the observations that the poses come from; empty: of the kind that comes first, the
+   * one with the most poses. */
+  std::string poseSource = {};
 };
 
 /** The scans of an MRPT rawlog, of either format, with the robot's pose at their time, in the
  * file's order.
  *
  * Poses come from the first of these that the log has:
- * 1. CObservationRobotPose (the mean; its sensorPose is not used), interpolated to the scan's time
- * by PoseTrack; of several sources, told apart by their label, the one with the most poses;
+ * 1. CObservationRobotPose (the mean, of the robot: sensorPose is taken off), interpolated to the
+ * scan's time by PoseTrack; of several sources, told apart by their label, the one with the most
+ * poses;
  * 2. CObservationOdometry, likewise;
  * 3. the increments of CActionCollection, summed up: a sensory frame is at the sum of all actions
  *    before it. Of wheel odometry the raw reading is taken, since MRPT draws the increment itself
  * at random for some motion models.
  *
- * Scans more than PoseTrack::kTolerance outside the time span of the poses are left out, and a
- * warning gives their number. In a log without poses a single 3D scan is at the identity, and 2D
- * scans are left out.
+ * Scans without a time, in gaps between poses (maxPoseGap), and more than PoseTrack::kTolerance
+ * outside the time span of the poses are left out, and one warning gives their numbers. In a log
+ * without poses a single 3D scan is at the identity, and 2D scans are left out.
  *
  * Scans that are stored outside the log are read later, when their points are asked for. Therefore
  * this sets MRPT's global lazy-load directory (CImage::setImagesPathBase) to the log's image
@@ -55,7 +62,7 @@ struct RawlogOptions
  * \param log told of what is left out; may be null
  * \exception std::runtime_error in one line naming the file: missing, empty, truncated (also in the
  * middle of an object), no rawlog, no 3D observations (2D scans alone do not count), several 3D
- * scans but no poses, or no 3D scan within the time span of the poses */
+ * scans but no poses, no poses of the wanted source, or no 3D scan whose pose is known */
 std::vector<PosedObservation> readRawlog(const std::string& path, const RawlogOptions& options = {},
                                          const mrpt::system::COutputLogger* log = nullptr);
 

@@ -1,0 +1,86 @@
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "Program.h"
+#include "StrictJson.h"
+#include "support/TempDir.h"
+
+// Inputs that reproduce what users of mapping programs have reported (../shared/data/reports): what
+// is right was computed independently of this program. The rooms measure 10.2 x 8.2 m.
+namespace
+{
+using namespace mrpt_mapconv::testing;
+
+class Reports : public ::testing::Test
+{
+ protected:
+  void SetUp() override
+  {
+    if (!std::filesystem::exists(kReports)) GTEST_SKIP() << kReports << " is not there";
+  }
+
+  Outcome convert(const std::string& file, std::vector<std::string> flags = {})
+  {
+    flags.insert(flags.begin(), {"convert", kReports + file, "-o", m_dir.path("out"), "--json",
+                                 "--min-clearance", "0.5", "--max-step", "0.15"});
+    return mapconv(flags);
+  }
+  static void expectRoom(const Outcome& run)
+  {
+    ASSERT_EQ(0, run.status) << run.err;
+    const JsonValue json = parseJson(run.out);
+    EXPECT_NEAR(10.2, json["xMax"].number - json["xMin"].number, 1e-6);
+    EXPECT_NEAR(8.2, json["yMax"].number - json["yMin"].number, 1e-6);
+  }
+
+  const std::string kReports = MRPT_MAPCONV_SHARED_DIR "/reports/";
+  TempDir m_dir;
+};
+
+TEST_F(Reports, ScansInAGapOfThePosesAreLeftOut)
+{
+  const auto run = convert("pose_gap.rawlog");
+  expectRoom(run);
+  EXPECT_EQ(1, warningsIn(run.err)) << run.err;
+  for (const char* words : {"23 of 29 scans", "23 in gaps", "60.0 s"})
+    EXPECT_TRUE(contains(run.err, words)) << run.err;
+  const auto inserted = mapconv({"insert", kReports + "pose_gap.rawlog", "-o", m_dir.path("map"),
+                                 "--json", "--structure", "2.2", "2.6"});
+  expectRoom(inserted);
+  EXPECT_TRUE(contains(inserted.err, "23 of 29 scans")) << inserted.err;
+}
+
+TEST_F(Reports, WithAllPosesNoScanIsLeftOut)
+{
+  const auto run = convert("pose_gap_all_poses.rawlog");
+  expectRoom(run);
+  EXPECT_EQ(0, warningsIn(run.err)) << run.err;
+}
+
+TEST_F(Reports, WhatARobotPoseIsOfIsTakenOff)
+{
+  const auto with = convert("pose_sensor_offset.rawlog");
+  const auto without = convert("pose_sensor_offset_none.rawlog");
+  expectRoom(with);
+  expectRoom(without);
+  for (const char* count : {"free", "occupied", "unknown", "steep"})
+    EXPECT_NEAR(parseJson(with.out)[count].number, parseJson(without.out)[count].number,
+                0.01 * parseJson(with.out)["cells"].number)
+        << count;
+}
+
+TEST_F(Reports, APoseSourceThatIsNotThereIsNamedWithThoseThatAre)
+{
+  const auto run = convert("pose_gap.rawlog", {"--pose-source", "gps"});
+  EXPECT_EQ(1, run.status);
+  EXPECT_TRUE(isOneError(run.err)) << run.err;
+  for (const char* words : {"pose_gap.rawlog", "no poses are labelled 'gps'", "there are: '"})
+    EXPECT_TRUE(contains(run.err, words)) << run.err;
+  const auto noLog = mapconv({"convert", MRPT_MAPCONV_SHARED_DIR "/geb079.bt", "-o",
+                              m_dir.path("bt"), "--pose-source", "gps", "--max-step", "0.1"});
+  EXPECT_EQ(0, noLog.status) << noLog.err;
+  EXPECT_TRUE(contains(noLog.err, "--pose-source has no effect")) << noLog.err;
+}
+
+}  // namespace
