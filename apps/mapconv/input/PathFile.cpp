@@ -75,9 +75,7 @@ class PathReader
   void read(std::string line)
   {
     ++m_number;
-    constexpr const char* kByteOrderMark = "\xEF\xBB\xBF";
-    if (m_number == 1 && line.rfind(kByteOrderMark, 0) == 0) line.erase(0, 3);
-    line = params::trimmed(line);
+    line = params::trimmed(m_number == 1 ? params::withoutByteOrderMark(line) : line);
     if (line.empty() || line.front() == '#') return;
     const auto fields = fieldsOf(line);
     if (!m_columns)

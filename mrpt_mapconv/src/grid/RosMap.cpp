@@ -28,7 +28,7 @@ std::string pgm(const Layer<float>& occupancy)
 }
 
 /** Never "-0". */
-std::string exact(double value) { return params::shortestText(value + 0.0); }
+std::string exact(double value) { return params::decimalText(value + 0.0); }
 
 /** A string as YAML takes it: as it is if it is simple, else in quotes. */
 std::string yamlString(const std::string& text)

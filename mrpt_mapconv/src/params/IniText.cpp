@@ -115,7 +115,7 @@ void checkLines(const std::string& text, const std::string& path)
 
 std::string readIniText(const std::string& path)
 {
-  std::string text = readText(path);
+  std::string text = withoutByteOrderMark(readText(path));
   checkLines(text, path);
   return text;
 }

@@ -5,6 +5,13 @@
 
 namespace mrpt_mapconv::params
 {
+std::string withoutByteOrderMark(std::string text)
+{
+  constexpr std::string_view mark = "\xEF\xBB\xBF";
+  if (text.compare(0, mark.size(), mark) == 0) text.erase(0, mark.size());
+  return text;
+}
+
 std::string trimmed(std::string_view text)
 {
   constexpr std::string_view blanks = " \t\r";

@@ -70,6 +70,25 @@ TEST_F(Reports, WhatARobotPoseIsOfIsTakenOff)
         << count;
 }
 
+TEST_F(Reports, AnIniFileMayBeginWithAByteOrderMark)
+{
+  const auto run =
+      mapconv({"convert", MRPT_MAPCONV_SHARED_DIR "/geb079.bt", "-o", m_dir.path("out"), "--json",
+               "-c", kReports + "bom.ini", "--max-step", "0.16"});
+  ASSERT_EQ(0, run.status) << run.err;
+  EXPECT_EQ("", run.err);
+  EXPECT_EQ(0.5, parseJson(run.out)["parameters"]["minClearance"].number);
+}
+
+TEST_F(Reports, AYamlHoldsNoNumberThatYamlTakesForAString)
+{
+  const auto run = mapconv({"convert", kReports + "res_1e-4.bt", "-o", m_dir.path("out"), "--json",
+                            "--min-clearance", "0.0002"});
+  ASSERT_EQ(0, run.status) << run.err;
+  const std::string yaml = readBytes(m_dir.path("out/ground.yaml"));
+  EXPECT_TRUE(contains(yaml, "resolution: 0.0001\n")) << yaml;
+}
+
 TEST_F(Reports, APoseSourceThatIsNotThereIsNamedWithThoseThatAre)
 {
   const auto run = convert("pose_gap.rawlog", {"--pose-source", "gps"});

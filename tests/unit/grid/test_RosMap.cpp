@@ -4,6 +4,8 @@
 
 #include <cstdlib>
 #include <limits>
+#include <tuple>
+#include <vector>
 
 #include "support/TempDir.h"
 
@@ -58,6 +60,25 @@ TEST(RosMap, numbersRoundTrip)
     char* rest = nullptr;
     EXPECT_EQ(std::strtod(origin.c_str() + 1, &rest), frame.xMin()) << yaml;
     EXPECT_EQ(std::strtod(rest + 1, nullptr), frame.yMin()) << yaml;
+  }
+}
+
+/** YAML 1.1 takes "1e-04" for a string. */
+TEST(RosMap, numbersHaveNoExponent)
+{
+  const TempDir dir;
+  for (const auto& [frame, resolution, origin] :
+       std::vector<std::tuple<GridFrame, std::string, std::string>>{
+           {{1e-4, -10000, 0, 3, 3}, "resolution: 0.0001\n", "origin: [-1, 0, 0"},
+           {{0.5, 896516, 10823858, 3, 3}, "resolution: 0.5\n", "origin: [448258, 5411929, 0"},
+           {{1e3, 1000000, -1000000, 3, 3},
+            "resolution: 1000\n",
+            "origin: [1000000000, -1000000000, 0"}})
+  {
+    writeRosMap(dir.path("m.pgm"), dir.path("m.yaml"), "m.pgm", corner(frame));
+    const std::string yaml = readBytes(dir.path("m.yaml"));
+    EXPECT_NE(std::string::npos, yaml.find(resolution)) << yaml;
+    EXPECT_NE(std::string::npos, yaml.find(origin)) << yaml;
   }
 }
 

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
+#include <mrpt/config/CConfigFileMemory.h>
 #include <mrpt_mapconv/params/IniText.h>
+#include <mrpt_mapconv/params/StrictSection.h>
 
 #include <filesystem>
 #include <fstream>
@@ -33,6 +35,18 @@ TEST(IniText, ComesBackAsItIs)
       "; a comment\n# another\n// a third\n\n[section]\n @define X 1\nkey = a \\\n b c\n  k=\r\n";
   std::ofstream(dir.path("a.ini")) << text;
   EXPECT_EQ(text, readIniText(dir.path("a.ini")));
+}
+
+TEST(IniText, AByteOrderMarkAndWindowsLineEndsAreNoPartOfIt)
+{
+  const TempDir dir;
+  const std::string path = dir.path("bom.ini");
+  std::ofstream(path) << "\xEF\xBB\xBF[conversion]\r\nminClearance = 0.5\r\n";
+  const mrpt::config::CConfigFileMemory ini(readIniText(path));
+  mrpt_mapconv::params::StrictSection section(ini, "conversion");
+  double value = 0;
+  section.read("minClearance", value);
+  EXPECT_EQ(0.5, value);
 }
 
 TEST(IniText, LinesWithoutMeaningAreNamed)

@@ -17,6 +17,16 @@ std::string shortestText(Number value)
   return {text.data(), end};
 }
 
+/** The same without an exponent, which YAML 1.1 takes for a string unless it is written in just one
+ * of its ways ("1.0e-04"). */
+inline std::string decimalText(double value)
+{
+  std::array<char, 400> text{};  // the longest doubles have some 330 digits
+  const auto end =
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::fixed).ptr;
+  return {text.data(), end};
+}
+
 /** Reads a text that is a number from its first to its last character, whatever the locale.
  * \return false, and the number as it was, for any other text */
 template <class Number>
@@ -29,6 +39,8 @@ bool readWhole(std::string_view text, Number& number)
   return true;
 }
 
+/** Without the byte order mark that some editors begin UTF-8 with. */
+std::string withoutByteOrderMark(std::string text);
 /** Without the blanks, tabs and carriage returns around it. */
 std::string trimmed(std::string_view text);
 /** ASCII letters made small. */
