@@ -149,7 +149,8 @@ TEST_F(GoldenJson, infoOfMaps)
 
 TEST_F(GoldenJson, infoOfLogs)
 {
-  writeObjects(path("a.rawlog"), {robotAt(0, 0), lookDown(0.5), scan2D(1), robotAt(1, 2.5)});
+  writeObjects(path("a.rawlog"),
+               {robotAt(0, 0), lookDown(0.5), scan2D(1), robotAt(0.4, 1), robotAt(1, 2.5)});
   writeSimpleMap(path("a.simplemap"), {0, 1, 2}, false);
   expectJson("info_rawlog", {"info", path("a.rawlog")});
   expectJson("info_simplemap", {"info", path("a.simplemap")});
@@ -157,7 +158,8 @@ TEST_F(GoldenJson, infoOfLogs)
 
 TEST_F(GoldenJson, scansOfARobotThatMoves)
 {
-  writeObjects(path("a.rawlog"), {robotAt(0, 0), lookDown(0.5), scan2D(1), robotAt(1, 2.5)});
+  writeObjects(path("a.rawlog"),
+               {robotAt(0, 0), lookDown(0.5), scan2D(1), robotAt(0.4, 1), robotAt(1, 2.5)});
   expectJson("convert_rawlog",
              {"convert", path("a.rawlog"), "-o", path("out"), "--resolution", "0.2"});
   expectJson("insert_2d", {"insert", path("a.rawlog"), "-o", path("out2"), "--structure", "2",
