@@ -2,6 +2,7 @@
 #include <mrpt_mapconv/files/ObjectWriter.h>
 #include <mrpt_mapconv/files/OutputDir.h>
 #include <mrpt_mapconv/grid/GridMap.h>
+#include <mrpt_mapconv/grid/KnownFrame.h>
 #include <mrpt_mapconv/grid/LayerExport.h>
 #include <mrpt_mapconv/grid/OccupancyCell.h>
 #include <mrpt_mapconv/params/Require.h>
@@ -42,24 +43,6 @@ struct Result
   grid::Layer<float> occupancy, probability;  //!< on the same frame
 };
 
-/** The smallest frame that holds all cells that are known. */
-grid::GridFrame knownFrame(const grid::Layer<float>& occupancy)
-{
-  const grid::GridFrame& all = occupancy.frame();
-  std::int32_t xMin = all.width, xMax = -1, yMin = all.height, yMax = -1;
-  for (std::int32_t iy = 0; iy < all.height; ++iy)
-    for (std::int32_t ix = 0; ix < all.width; ++ix)
-    {
-      if (occupancy.at(ix, iy) == grid::kUnknown) continue;
-      xMin = std::min(xMin, ix);
-      xMax = std::max(xMax, ix);
-      yMin = std::min(yMin, iy);
-      yMax = std::max(yMax, iy);
-    }
-  if (xMax < 0) return {all.resolution, all.x0, all.y0, 0, 0};
-  return {all.resolution, all.x0 + xMin, all.y0 + yMin, xMax - xMin + 1, yMax - yMin + 1};
-}
-
 std::string skippedText(const InsertionFigures& figures)
 {
   std::string text;
@@ -71,7 +54,7 @@ std::string skippedText(const InsertionFigures& figures)
 Result resultOf(const ScanInserter& inserter, const std::string& file)
 {
   const auto occupancy = inserter.map().occupancy();
-  const grid::GridFrame frame = knownFrame(occupancy);
+  const grid::GridFrame frame = grid::knownFrame(occupancy, grid::LayerKind::Occupancy);
   if (frame.empty())
     throw std::runtime_error(file + ": none of its scans says anything (" +
                              skippedText(inserter.figures()) + ")");
@@ -99,6 +82,23 @@ void insertAll(const std::vector<observation::PosedObservation>& scans, const st
                                std::to_string(scans.size()) + ": " + params::oneLine(error));
     }
   }
+}
+
+void warnOfSkips(const InsertionFigures& figures)
+{
+  if (figures.unwantedSkips() == 0) return;
+  printWarning(std::to_string(figures.skips()) + " of " +
+               std::to_string(figures.skips() + figures.scans2D + figures.scans3D) +
+               " scans are skipped: " + skippedText(figures));
+}
+
+/** Where the ceiling passes for walls in most scans, the rest is no map. */
+void refuseCeilings(const InsertionFigures& figures, const std::string& file)
+{
+  const auto ceilings = figures.skipped.find(CScanShapeGridMap2D::kCeilingSkip);
+  if (ceilings == figures.skipped.end() || ceilings->second.count <= figures.scans3D) return;
+  throw std::runtime_error(file + ": in " + std::to_string(ceilings->second.count) +
+                           " of its 3D scans " + ceilings->second.why + " (--structure MIN MAX)");
 }
 
 /** A 2D scanner looks below table tops and into glass, and takes back what 3D scans have found. */
@@ -180,29 +180,29 @@ std::string jsonSummary(const SummaryHead& head, const Result& map, const ScanIn
   return json.add("seconds", secondsJson(seconds)).text() + "\n";
 }
 
-void checkFlags(const ScanFlags& flags)
+void warnOfFlags(const ScanFlags& flags)
 {
-  if (flags.structure.empty()) return;
-  if (flags.structure[0] >= flags.structure[1])
-    throw UsageError("--structure " + jsonNumber(flags.structure[0]) + " " +
-                     jsonNumber(flags.structure[1]) + " is not valid: MIN must be below MAX");
-  if (flags.noReflectionFilter)
+  if (!flags.structure.empty() && flags.noReflectionFilter)
     printWarning("--structure has no effect: --no-reflection-filter looks for no walls");
 }
 
 int insert(const InsertOptions& options)
 {
-  checkFlags(options.flags);
+  warnOfFlags(options.flags);
   Job job;
-  ScanInserter inserter(readScanSettings(options.iniFile, options.flags));
+  const ScanSettings settings = readScanSettings(options.iniFile, options.flags);
   job.checkOutput(options.outputDir);
 
   const ScanFile file =
       job.stage("load", [&] { return read3DScans(options.file, options.log, job.progress()); });
+  requireStructure(settings);
+  ScanInserter inserter(settings);
   job.stage("insert", "inserting the scans of " + options.file,
             [&] { insertAll(file.scans, options.file, inserter, job.progress()); });
   warnOf2D(inserter.figures());
+  refuseCeilings(inserter.figures(), options.file);
   const Result map = resultOf(inserter, options.file);
+  warnOfSkips(inserter.figures());
   job.write(options.outputDir, [&](files::OutputDir& out) { writeOutputs(map, inserter, out); });
 
   const SummaryHead head{options.file, file.description, options.outputDir, map.occupancy.frame()};
@@ -211,19 +211,27 @@ int insert(const InsertOptions& options)
   return 0;
 }
 
-void addMethodOptions(CLI::App& app, ScanFlags& flags)
+void addSlice(CLI::App& app, const std::string& name, std::vector<double>& ends,
+              const std::string& help)
 {
-  flags.grid.addTo(app, isNumber());
-  flags.profile.addTo(app);
-  app.add_flag("--no-reflection-filter", flags.noReflectionFilter,
-               "keep what is seen behind walls and in glass");
-  app.add_option("--structure", flags.structure,
-                 "heights just under the ceiling, where only walls are [m]; the reflection filter "
-                 "needs them")
+  app.add_option("--" + name, ends, help)
       ->type_size(2)
       ->expected(1)  // else a vector takes all that follows, and INPUT with it
       ->check(isFinite())
       ->type_name("MIN MAX");
+}
+
+void addMethodOptions(CLI::App& app, ScanFlags& flags)
+{
+  flags.grid.addTo(app, isNumber());
+  flags.profile.addTo(app, isNumber());
+  addSlice(app, "object", flags.object,
+           "heights of what a robot can hit [m], default 0.05 1.5; the floor lies below");
+  app.add_flag("--no-reflection-filter", flags.noReflectionFilter,
+               "keep what is seen behind walls and in glass");
+  addSlice(app, "structure", flags.structure,
+           "heights just under the ceiling, where only walls are [m]; the reflection filter needs "
+           "them");
   app.add_flag("--no-2d", flags.no2D, "leave out 2D scans of the log");
 }
 

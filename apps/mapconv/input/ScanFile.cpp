@@ -63,8 +63,16 @@ void warnOfRawlogOptions(const observation::RawlogOptions& options, const std::s
     printWarning("--pose-source has no effect: " + path + " is no rawlog");
 }
 
-ScanFile readScans(const std::string& path, FileKind kind,
-                   const observation::RawlogOptions& options)
+namespace
+{
+bool has3DScan(const std::vector<PosedObservation>& scans)
+{
+  return std::any_of(scans.begin(), scans.end(),
+                     [](const PosedObservation& s)
+                     { return observation::is3DScan(*s.observation); });
+}
+
+ScanFile readLog(const std::string& path, FileKind kind, const observation::RawlogOptions& options)
 {
   const ConsoleLog log;
   ScanFile file;
@@ -80,17 +88,25 @@ ScanFile readScans(const std::string& path, FileKind kind,
   return file;
 }
 
+}  // namespace
+
+ScanFile readScans(const std::string& path, FileKind kind,
+                   const observation::RawlogOptions& options)
+{
+  ScanFile file = readLog(path, kind, options);
+  if (!has3DScan(file.scans))
+    printWarning(path + ": all of its scans are 2D, so only what lies at their heights is known");
+  return file;
+}
+
 ScanFile read3DScans(const std::string& path, const observation::RawlogOptions& options,
                      Progress& progress)
 {
   progress.stage("reading " + path);
-  ScanFile file = readScans(path, logKindIn(path), options);
-  const bool any =
-      std::any_of(file.scans.begin(), file.scans.end(),
-                  [](const PosedObservation& s) { return observation::is3DScan(*s.observation); });
-  if (!any)
+  ScanFile file = readLog(path, logKindIn(path), options);
+  if (!has3DScan(file.scans))
     throw std::runtime_error(path + ": none of its " + std::to_string(file.scans.size()) +
-                             " scans is a 3D scan");
+                             " scans is a 3D scan; mapconv convert takes 2D scans, too");
   return file;
 }
 

@@ -2,8 +2,6 @@
 
 #include <mrpt_mapconv/observation/ObservationPoints.h>
 
-#include <algorithm>
-#include <cctype>
 #include <numeric>
 
 #include "output/Console.h"
@@ -16,14 +14,6 @@ using observation::PosedObservation;
 
 namespace
 {
-/** What a reason says whatever the scan's figures are. */
-std::string withoutNumbers(std::string why)
-{
-  const auto isOfNumber = [](unsigned char c) { return std::isdigit(c) || c == '.' || c == '-'; };
-  why.erase(std::remove_if(why.begin(), why.end(), isOfNumber), why.end());
-  return why;
-}
-
 double perSecond(std::size_t count, double seconds)
 {
   return seconds > 0 ? static_cast<double>(count) / seconds : 0;
@@ -34,6 +24,12 @@ std::size_t InsertionFigures::skips() const
 {
   return std::accumulate(skipped.begin(), skipped.end(), std::size_t(0),
                          [](std::size_t sum, const auto& kind) { return sum + kind.second.count; });
+}
+
+std::size_t InsertionFigures::unwantedSkips() const
+{
+  const auto leftOut = skipped.find("");
+  return skips() - (leftOut == skipped.end() ? 0 : leftOut->second.count);
 }
 
 double InsertionFigures::scansPerSecond() const { return perSecond(scans3D, seconds3D); }
@@ -61,7 +57,7 @@ void ScanInserter::insert(const PosedObservation& scan)
   if (inserted)
     count(*scan.observation, seconds);
   else
-    countSkip(m_map.lastSkip());
+    countSkip();
 }
 
 void ScanInserter::count(const mrpt::obs::CObservation& obs, double seconds)
@@ -77,10 +73,10 @@ void ScanInserter::count(const mrpt::obs::CObservation& obs, double seconds)
   m_figures.wallShares += m_map.lastScan().shareWithWall();
 }
 
-void ScanInserter::countSkip(const std::string& why)
+void ScanInserter::countSkip()
 {
-  auto& skipped = m_figures.skipped[withoutNumbers(why)];
-  if (skipped.count++ == 0) skipped.why = why;
+  auto& skipped = m_figures.skipped[m_map.lastSkipKind()];
+  if (skipped.count++ == 0) skipped.why = m_map.lastSkip();
 }
 
 }  // namespace mapconv

@@ -24,10 +24,12 @@ struct InsertionFigures
   std::size_t points = 0;                //!< of scans3D
   double seconds3D = 0;                  //!< that inserting scans3D took, decoding included [s]
   double wallShares = 0;                 //!< sum over scans3D
-  /** By the map's reason without its numbers: scans from many heights are one kind. */
+  /** By the map's kind of reason, which is empty for scans that it is told to leave out. */
   std::map<std::string, Skipped> skipped;
 
   std::size_t skips() const;
+  /** Those of them that nobody asked for. */
+  std::size_t unwantedSkips() const;
   double scansPerSecond() const;
   double pointsPerSecond() const;
   /** Mean over scans3D of the share of azimuths with a wall. */
@@ -49,7 +51,7 @@ class ScanInserter
 
  private:
   void count(const mrpt::obs::CObservation& obs, double seconds);
-  void countSkip(const std::string& why);
+  void countSkip();
 
   ScanSettings m_settings;
   mrpt_mapconv::CScanShapeGridMap2D m_map;

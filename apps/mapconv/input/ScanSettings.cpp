@@ -24,6 +24,17 @@ namespace
 const IniSection kMap{"map"};
 const IniSection kInsertion{"scanInsertion", "insertion"};
 
+void writeSlice(const std::string& slice, const std::vector<double>& ends, CConfigFileMemory& ini,
+                const std::string& section)
+{
+  if (ends.empty()) return;
+  if (ends.at(0) >= ends.at(1))
+    throw UsageError("--" + slice + " " + jsonNumber(ends[0]) + " " + jsonNumber(ends[1]) +
+                     " is not valid: MIN must be below MAX");
+  ini.write(section, slice + "MinZ", jsonNumber(ends[0]));
+  ini.write(section, slice + "MaxZ", jsonNumber(ends[1]));
+}
+
 void write(const ScanFlags& flags, CConfigFileMemory& ini)
 {
   const std::string insertion = nameIn(ini, kInsertion);
@@ -31,22 +42,16 @@ void write(const ScanFlags& flags, CConfigFileMemory& ini)
   flags.profile.writeTo(ini, insertion);
   if (flags.noReflectionFilter) ini.write(insertion, "reflectionFilter", "false");
   if (flags.no2D) ini.write(insertion, "insert2D", "false");
-  if (flags.structure.empty()) return;
-  ini.write(insertion, "structureMinZ", jsonNumber(flags.structure.at(0)));
-  ini.write(insertion, "structureMaxZ", jsonNumber(flags.structure.at(1)));
+  writeSlice("object", flags.object, ini, insertion);
+  writeSlice("structure", flags.structure, ini, insertion);
 }
 
 /** The filter is on by default, but nobody knows where the ceiling is. */
-void requireStructure(StrictSection insertion)
+bool lacksStructure(StrictSection insertion)
 {
   bool filter = true;
   insertion.read("reflectionFilter", filter);
-  if (!filter || insertion.has("structureMinZ") || insertion.has("structureMaxZ")) return;
-  throw UsageError(
-      "the reflection filter needs a slice of heights just under the ceiling: give --structure MIN "
-      "MAX [m], or structureMinZ and structureMaxZ in section [scanInsertion] of an ini file (-c), "
-      "or "
-      "do without the filter (--no-reflection-filter)");
+  return filter && !insertion.has("structureMinZ") && !insertion.has("structureMaxZ");
 }
 
 void readMap(StrictSection& section, scan::ScanGridParams& grid)
@@ -69,24 +74,27 @@ ScanSettings readSections(const CConfigFileMemory& ini, const std::string& path)
 }
 
 /** The same; errors name the file. */
-ScanSettings readNaming(const std::string& path, const CConfigFileMemory& ini)
+ScanSettings readNaming(const std::string& path, CConfigFileMemory& ini)
 try
 {
-  requireStructure({ini, nameIn(ini, kInsertion)});
-  return readSections(ini, path);
-}
-catch (const UsageError&)
-{
-  throw;
+  const std::string insertion = nameIn(ini, kInsertion);
+  const bool lacking = lacksStructure({ini, insertion});
+  if (lacking) ini.write(insertion, "reflectionFilter", "false");
+  ScanSettings settings = readSections(ini, path);
+  settings.lacksStructure = lacking;
+  return settings;
 }
 catch (const std::exception& error)
 {
   throw std::runtime_error(path + ": " + params::oneLine(error));
 }
 
-std::string originOf(const StrictSection& section, const std::string& key,
-                     const std::string& iniFile)
+/** Where a value comes from, for people. */
+template <class Params>
+std::string originOf(const FieldFlags<Params>& flags, const StrictSection& section,
+                     const std::string& key, const std::string& iniFile)
 {
+  if (flags.given(key)) return "is from " + flagName(key);
   return section.has(key) ? "is from " + iniFile : "is the default";
 }
 
@@ -99,12 +107,11 @@ try
 }
 catch (const std::invalid_argument& error)
 {
-  const std::string resolution = flags.grid.given("resolution")
-                                     ? "is from --resolution"
-                                     : originOf({ini, kMap.name}, "resolution", iniFile);
-  const std::string text = params::oneLine(error) + "; resolution " + resolution + ", maxRange " +
-                           originOf({ini, nameIn(ini, kInsertion)}, "maxRange", iniFile);
-  if (flags.grid.given("resolution")) throw UsageError(text);
+  const std::string text =
+      params::oneLine(error) + "; resolution " +
+      originOf(flags.grid, {ini, kMap.name}, "resolution", iniFile) + ", maxRange " +
+      originOf(flags.profile, {ini, nameIn(ini, kInsertion)}, "maxRange", iniFile);
+  if (flags.grid.given("resolution") || flags.profile.given("maxRange")) throw UsageError(text);
   throw std::runtime_error(text);
 }
 
@@ -128,6 +135,15 @@ ScanSettings readScanSettings(const std::string& iniFile, const ScanFlags& flags
   const ScanSettings settings = readNaming(iniFile.empty() ? "the options" : iniFile, ini);
   checkReach(settings, ini, iniFile, flags);
   return settings;
+}
+
+void requireStructure(const ScanSettings& settings)
+{
+  if (!settings.lacksStructure) return;
+  throw UsageError(
+      "the reflection filter needs a slice of heights just under the ceiling: give --structure MIN "
+      "MAX [m], or structureMinZ and structureMaxZ in section [scanInsertion] of an ini file (-c), "
+      "or do without the filter (--no-reflection-filter)");
 }
 
 JsonObject settingsJson(const ScanSettings& settings)

@@ -8,9 +8,10 @@
 
 namespace mapconv
 {
-/** Shows on a terminal how far the work is, from its second second on; silent elsewhere.
+/** Shows how far the work is: on a terminal as a line that moves, from the second second on;
+ * elsewhere, as in a log, by a line every ten seconds.
  *
- * Drawn by a thread of its own, so that it also moves during work that reports nothing.
+ * Written by a thread of its own, so that it also moves during work that reports nothing.
  */
 class Progress
 {
@@ -26,8 +27,10 @@ class Progress
   void done(double share);
 
  private:
-  void drawUntilStopped();
+  void showUntilStopped();
   void draw() const;
+  void printLine() const;
+  int secondsPassed() const;
 
   const bool m_onTerminal;
   const std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();

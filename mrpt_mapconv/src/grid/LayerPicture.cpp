@@ -1,4 +1,5 @@
 #include <mrpt_mapconv/files/FileIo.h>
+#include <mrpt_mapconv/grid/KnownFrame.h>
 #include <mrpt_mapconv/grid/LayerPicture.h>
 #include <mrpt_mapconv/grid/OccupancyCell.h>
 
@@ -149,25 +150,31 @@ void checkLayers(const StyledLayer& styled)
     throw std::invalid_argument("picture: the aerial layer is on another frame than the layer");
 }
 
-bool endsWith(const std::string& text, const std::string& end)
+/** Part of a layer, and of the one that it is free for. */
+class Part
 {
-  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
-}
+ public:
+  Part(const StyledLayer& whole, const GridFrame& frame)
+      : m_styled(whole), m_layer(whole.layer->onFrame(frame, unknownCell(whole.kind)))
+  {
+    m_styled.layer = &m_layer;
+    if (!whole.freeFor) return;
+    m_freeFor = whole.freeFor->onFrame(frame, kUnknown);
+    m_styled.freeFor = &m_freeFor;
+  }
+  Part(const Part&) = delete;
+  Part& operator=(const Part&) = delete;
 
-/** Whether the file ends as every complete PNG does: by the checksum of its IEND chunk. */
-bool isCompletePng(const std::string& path)
-{
-  std::ifstream file(path, std::ios::binary);
-  char tail[8] = {};
-  file.seekg(-static_cast<std::streamoff>(sizeof(tail)), std::ios::end);
-  file.read(tail, sizeof(tail));
-  return file && std::string(tail, sizeof(tail)) == "IEND\xAE\x42\x60\x82";
-}
-}  // namespace
+  const StyledLayer& styled() const { return m_styled; }
 
-mrpt::img::CImage drawLayer(const StyledLayer& styled, const PicturePath& path)
+ private:
+  StyledLayer m_styled;
+  Layer<float> m_layer, m_freeFor;
+};
+
+/** Draws all of a layer, which may be part of a map. */
+mrpt::img::CImage drawAll(const StyledLayer& styled, const PicturePath& path, const GridFrame& map)
 {
-  checkLayers(styled);
   const Layer<float>& layer = *styled.layer;
   const Zoom zoom = zoomFor(layer.frame());
   const double pixelsPerCell = zoom.pixelsPerCell();
@@ -178,7 +185,8 @@ mrpt::img::CImage drawLayer(const StyledLayer& styled, const PicturePath& path)
   Content content = contentOf(styled, zoom, m);
   if (!path.points.empty()) content.legend.push_back(swatch(m, kPathColor, path.label));
   const Axes axes(m, layer.frame(), pixelsPerCell);
-  const std::string description = describe(layer.frame());
+  const std::string description =
+      describe(map) + (layer.frame() == map ? "" : "; shown is what is known");
 
   const int margin = m.of(24), gap = m.of(14);
   const int mapWidth = content.raster.width, mapHeight = content.raster.height;
@@ -208,11 +216,39 @@ mrpt::img::CImage drawLayer(const StyledLayer& styled, const PicturePath& path)
   return canvas.image();
 }
 
-void writeLayerPng(const std::string& file, const StyledLayer& layer, const PicturePath& path)
+bool endsWith(const std::string& text, const std::string& end)
+{
+  return text.size() >= end.size() && text.compare(text.size() - end.size(), end.size(), end) == 0;
+}
+
+/** Whether the file ends as every complete PNG does: by the checksum of its IEND chunk. */
+bool isCompletePng(const std::string& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  char tail[8] = {};
+  file.seekg(-static_cast<std::streamoff>(sizeof(tail)), std::ios::end);
+  file.read(tail, sizeof(tail));
+  return file && std::string(tail, sizeof(tail)) == "IEND\xAE\x42\x60\x82";
+}
+}  // namespace
+
+mrpt::img::CImage drawLayer(const StyledLayer& styled, const PicturePath& path,
+                            const GridFrame& shown)
+{
+  checkLayers(styled);
+  const GridFrame& whole = styled.layer->frame();
+  const GridFrame frame = shown.empty() ? shownFrame({styled}) : shown;
+  if (frame == whole) return drawAll(styled, path, whole);
+  const Part part(styled, frame);
+  return drawAll(part.styled(), path, whole);
+}
+
+void writeLayerPng(const std::string& file, const StyledLayer& layer, const PicturePath& path,
+                   const GridFrame& shown)
 {
   if (!endsWith(file, ".png"))
     throw std::invalid_argument("picture '" + file + "': the name must end in .png");
-  const mrpt::img::CImage image = drawLayer(layer, path);
+  const mrpt::img::CImage image = drawLayer(layer, path, shown);
   files::writeFile(file, {});  // gives the system's own reason; MRPT only says whether it worked
   if (!image.saveToFile(file) || !isCompletePng(file))
   {

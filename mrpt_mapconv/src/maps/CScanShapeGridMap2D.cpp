@@ -113,6 +113,8 @@ bool CScanShapeGridMap2D::insert3D(const mrpt::obs::CObservation& obs,
   {
     return m_log.skip(obs, "unusable", error.what());
   }
+  if (const auto ceiling = work.profile.statistics().ceiling)
+    return m_log.skip(obs, kCeilingSkip, scan::ceilingText(*ceiling, scanInsertionOptions.profile));
   const grid::GridFrame bounds = work.profile.bounds();
   if (!bounds.empty())
   {

@@ -7,7 +7,7 @@ MapLog& MapLog::operator=(const MapLog& o)
 {
   if (this == &o) return *this;
   warnings.rememberWith(o.warnings);
-  m_lastSkip.clear();
+  begin();
   return *this;
 }
 
@@ -25,6 +25,7 @@ bool MapLog::skip(const mrpt::obs::CObservation& obs, std::string_view why)
 bool MapLog::skip(const mrpt::obs::CObservation& obs, std::string_view kind, std::string_view why)
 {
   m_lastSkip = why;
+  m_lastSkipKind = kind;
   warnings.warnOnceOf(
       {kind, obs.GetRuntimeClass()->className, obs.sensorLabel},
       [&] { return "a scan of " + observation::nameOf(obs) + " is skipped: " + m_lastSkip; });

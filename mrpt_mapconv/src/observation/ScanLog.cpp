@@ -130,6 +130,7 @@ class Log
       m_foreign = className(*entry);
   }
 
+  std::size_t scans() const { return m_scans.size(); }
   std::size_t scans3D() const
   {
     const auto is3D = [](const PosedObservation& s) { return is3DScan(*s.observation); };
@@ -275,6 +276,16 @@ catch (const std::runtime_error& error)
   throw std::runtime_error(path + ": " + error.what());
 }
 
+void requireScans(const Log& log, const std::string& path)
+{
+  if (log.scans() > 0) return;
+  if (!log.foreign().empty()) throw std::runtime_error(path + ": no scans, but a " + log.foreign());
+  throw std::runtime_error(path +
+                           ": no scans (CObservation3DRangeScan, CObservationPointCloud, "
+                           "CObservationVelodyneScan, CObservationRotatingScan or "
+                           "CObservation2DRangeScan) in this rawlog");
+}
+
 /** Reads all entries. Scans stay, the rest of a log, above all its images, is let go at once. */
 Log readLog(const std::string& path, const COutputLogger* logger)
 {
@@ -318,27 +329,22 @@ std::vector<PosedObservation> readRawlog(const std::string& path, const RawlogOp
                                          const COutputLogger* logger)
 {
   const Log log = readLog(path, logger);
-  const std::size_t scans3D = log.scans3D();
-  if (scans3D == 0 && !log.foreign().empty())
-    throw std::runtime_error(path + ": no 3D observations, but a " + log.foreign());
-  if (scans3D == 0)
-    throw std::runtime_error(path +
-                             ": no 3D observations (CObservation3DRangeScan, "
-                             "CObservationPointCloud, CObservationVelodyneScan or "
-                             "CObservationRotatingScan) in this rawlog");
+  requireScans(log, path);
   useImagesDirectoryOf(path);
   if (options.staticSensor) return log.atIdentity();
+  const std::string kind = log.scans3D() > 0 ? "3D scan" : "2D scan";
   if (!log.hasPoses())
   {
-    if (scans3D == 1) return log.only3DAtIdentity();
-    throw std::runtime_error(path + ": " + std::to_string(scans3D) +
-                             " 3D scans but no robot poses and no odometry (if the sensor stood "
-                             "still, say so: --static)");
+    if (log.scans() == 1) return log.atIdentity();
+    if (log.scans3D() == 1) return log.only3DAtIdentity();
+    throw std::runtime_error(
+        path + ": " + std::to_string(log.scans3D() > 0 ? log.scans3D() : log.scans()) + " " + kind +
+        "s but no robot poses and no odometry (if the sensor stood still, say so: --static)");
   }
   auto scans = posedScans(log, options, path);
-  if (!has3DScan(scans))
-    throw std::runtime_error(path +
-                             ": no 3D scan lies within the time span of the poses, give or take " +
+  if (scans.empty() || (log.scans3D() > 0 && !has3DScan(scans)))
+    throw std::runtime_error(path + ": no " + kind +
+                             " lies within the time span of the poses, give or take " +
                              mrpt::format("%.1f s, and within %g s of both poses around it",
                                           PoseTrack::kTolerance, options.maxPoseGap));
   return scans;

@@ -46,7 +46,6 @@ void ProfileParams::check() const
 {
   require(std::isfinite(objectMinZ), "objectMinZ", objectMinZ, "a finite height [m]");
   checkUpperEnd("objectMinZ", objectMinZ, "objectMaxZ", objectMaxZ);
-  if (reflectionFilter) checkStructure(*this);
   require(std::isfinite(maxRange) && maxRange > 0, "maxRange", maxRange, "a range > 0 m");
   require(minRange >= 0 && minRange < maxRange, "minRange", minRange,
           "at least 0 m and below maxRange");
@@ -57,6 +56,7 @@ void ProfileParams::check() const
   require(
       (structureTolerance >= 0 && std::isfinite(structureTolerance)) || structureTolerance == -1,
       "structureTolerance", structureTolerance, "a length of at least 0 m, or -1 for one cell");
+  if (reflectionFilter) checkStructure(*this);
 }
 
 }  // namespace mrpt_mapconv::scan

@@ -1,3 +1,4 @@
+#include <mrpt/core/format.h>
 #include <mrpt_mapconv/params/Text.h>
 #include <mrpt_mapconv/scan/ProfileSummary.h>
 
@@ -25,6 +26,18 @@ std::string summaryOf(const ProfileParams& params)
 {
   return params::textOf(params.model) + ", objects from " +
          range(params.objectMinZ, params.objectMaxZ) + ", " + wallText(params);
+}
+
+std::string ceilingText(double height, const ProfileParams& params)
+{
+  // A slice as high as usual, so far below the ceiling that a tilted robot's scans stay below it.
+  constexpr double kBelow = 0.1, kHigh = 0.25;
+  const double high = std::floor((height - kBelow) * 20 + 1e-6) / 20, low = high - kHigh;
+  return mrpt::format(
+      "the ceiling, %.2f m above the robot's base, lies in the structure slice (%s) and would pass "
+      "for walls on all sides: let the slice end below it, e.g. structureMinZ = %g and "
+      "structureMaxZ = %g",
+      height, range(params.structureMinZ, params.structureMaxZ).c_str(), low, high);
 }
 
 }  // namespace mrpt_mapconv::scan

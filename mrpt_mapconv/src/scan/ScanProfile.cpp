@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "BitRow.h"
+#include "CeilingCheck.h"
 #include "LineFan.h"
 #include "LineReach.h"
 #include "LineWalk.h"
@@ -110,6 +111,10 @@ void ScanProfile::compute(const std::vector<TPoint3Df>& points, const Viewpoint&
   work.rows.mergeTransposed(work.columns);
   if (params.model == Model::WholeShape) work.judgeUncrossed(walk);
   work.statistics.points = points.size();
+  work.statistics.ceiling = std::nullopt;
+  if (params.reflectionFilter)
+    work.statistics.ceiling =
+        ceilingIn(work.slices, work.place, params.structureMaxZ - params.structureMinZ);
   work.finish();
 }
 

@@ -15,14 +15,12 @@ constexpr double kFarthest = 1e9;  // cells from the origin, so that keys stay w
 
 void checkHeight(double height, const ProfileParams& params)
 {
-  // whether the structure slice is made use of or not; fmin and fmax pass over what is not set
+  // Above all slices is a lidar on a car's roof. fmin passes over what is not set.
   const double low = std::fmin(params.objectMinZ, params.structureMinZ);
-  const double high = std::fmax(params.objectMaxZ, params.structureMaxZ);
-  if (height >= low && height <= high) return;
+  if (height >= low) return;
   std::ostringstream message;
-  message << "the sensor is " << height << " m above the robot's base, outside the slices (" << low
-          << " to " << high
-          << " m): is its pose on the robot right? If so, objectMinZ and objectMaxZ are not";
+  message << "the sensor is " << height << " m above the robot's base, lower than all that counts ("
+          << low << " m): is its pose on the robot right? If so, objectMinZ must not be above it";
   throw UnusableScan(message.str());
 }
 

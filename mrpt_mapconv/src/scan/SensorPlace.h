@@ -29,8 +29,7 @@ struct SensorPlace
   }
 };
 
-/** \exception UnusableScan if the sensor's pose is not finite, too far away or outside the slices
- */
+/** \exception UnusableScan if the sensor's pose is not finite, too far away or too low */
 SensorPlace placeOf(const Viewpoint& view, double resolution, const ProfileParams& params);
 
 }  // namespace mrpt_mapconv::scan

@@ -68,7 +68,7 @@ void Slices::take(const std::vector<TPoint3Df>& points, const Viewpoint& view,
     if (!(rangeSq <= (isStructure ? farthestSq : maxSq))) continue;  // NaN, too
     const CellOffset cell{floorOf(place.fx + x * perMetre), floorOf(place.fy + y * perMetre)};
     // what is where the sensor is is no return
-    if (isStructure && (rangeSq > 0 || z != 0)) structure.push_back({cell, x, y});
+    if (isStructure && (rangeSq > 0 || z != 0)) structure.push_back({cell, x, y, sensorZ + z});
     if (!isObject || rangeSq < minSq || rangeSq > maxSq) continue;
     object.push_back(cell);
     low = std::min({low, cell.x, cell.y});

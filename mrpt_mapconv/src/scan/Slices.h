@@ -20,6 +20,7 @@ struct StructurePoint
 {
   CellOffset cell;
   double x = 0, y = 0;  //!< from the sensor [m]
+  double height = 0;    //!< above the robot's base [m]
 };
 
 /** The points of a scan that are at the heights and ranges that matter. */

@@ -288,6 +288,7 @@ TEST(Experiment, ScanShapePosesMustStayInTheWorld)
   for (const char* part : {"office.ini: section 'noise'", "posePosition or poseAngle", "outside"})
     EXPECT_TRUE(contains(far, part)) << far;
   const std::string tilted = error("poseAngle = 0.1 ", "poseAngle = 100 ");
-  for (const char* part : {"office.ini: section 'noise'", "posePosition or poseAngle", "slices"})
+  for (const char* part :
+       {"office.ini: section 'noise'", "posePosition or poseAngle", "objectMinZ"})
     EXPECT_TRUE(contains(tilted, part)) << tilted;
 }

@@ -280,12 +280,12 @@ TEST_F(Insert, skippedScansAreCountedWithTheirReason)
 {
   const auto empty = cloudOn({}, {0.25, 0.25, 1}, 1);
   const auto floorOnly = cloudOn({{1.25f, 0.25f, 0.01f}}, {0.25, 0.25, 1}, 2);
-  const auto high = cloudOn({{1.25f, 0.25f, 0.5f}}, {0.25, 0.25, 9}, 3);
-  const auto higher = cloudOn({{1.25f, 0.25f, 0.5f}}, {0.25, 0.25, 11}, 5);
+  const auto low = cloudOn({{1.25f, 0.25f, 0.5f}}, {0.25, 0.25, -1}, 3);
+  const auto lower = cloudOn({{1.25f, 0.25f, 0.5f}}, {0.25, 0.25, -2}, 5);
   const auto nowhere = cloudOn({{1.25f, 0.25f, 0.5f}}, {0.25, 0.25, 1}, 4);
   nowhere->setSensorPose(mrpt::poses::CPose3D(NAN, 0, 1, 0, 0, 0));
   writeObjects(m_dir.path("odd.rawlog"),
-               {chairWallAndGhost(0), empty, floorOnly, high, nowhere, floorOnly, higher});
+               {chairWallAndGhost(0), empty, floorOnly, low, nowhere, floorOnly, lower});
   const auto run = insert("odd.rawlog", {"--static"});
   ASSERT_EQ(0, run.status) << run.err;
   const JsonValue json = parseJson(run.out);
@@ -301,8 +301,9 @@ TEST_F(Insert, skippedScansAreCountedWithTheirReason)
     EXPECT_TRUE(contains(run.err, why)) << why << " is what the map has warned of: " << run.err;
   }
   EXPECT_EQ(6, reasons);
+  EXPECT_TRUE(contains(run.err, "6 of 7 scans are skipped: ")) << "summed up: " << run.err;
   for (const char* part : {"1: it has no usable point", "2: it has no object",
-                           "1: its pose is not finite", "2: the sensor is 9 m above"})  // and 11 m
+                           "1: its pose is not finite", "2: the sensor is -1 m above"})  // and -2 m
     EXPECT_TRUE(contains(all, part)) << part << " in " << all;
   const double f = kFreeOnce, o = kHitOnce;
   expectRow(0, {f, f, f, o, f, f, o}, "as without them");

@@ -63,7 +63,7 @@ std::vector<BadFile> badFiles()
       {"octree.bt", [](const std::string& path) { HandMap::write(path); }, "octree"},
       {"octree.rawlog", [](const std::string& path) { HandMap::write(path); }, "octree"},
       {"a.gridmap", objects({COccupancyGridMap2D::Create()}), "COccupancyGridMap2D"},
-      {"2d.rawlog", objects({robotAt(0, 0), scan2D(0)}), "no 3D"},
+      {"2d.rawlog", objects({robotAt(0, 0), scan2D(0)}), "none of its 1 scans is a 3D scan"},
       {"2d.simplemap", [](const std::string& path) { writeSimpleMap(path, {scan2D(0)}); }, "3D"},
       {"unposed.rawlog", objects({chair(0), chair(1)}), "--static"},
       {"cut.rawlog",

@@ -213,6 +213,10 @@ TEST_F(InsertInput, badFlagsAreStatus2AndNamed)
       {{"--structure", "2.2", "2.6", "2.8"}, {"--structure", "2 ", "3"}},
       {{"--structure", "2.2", "2.6", "2.8", "3.0"}, {"--structure", "2 ", "4"}},
       {{"--structure", "2.2", "2.6", "--structure", "2.3", "2.5"}, {"--structure", "2 ", "4"}},
+      {{"--object", "1", "0.5"}, {"--object 1 0.5", "MIN must be below MAX"}},
+      {{"--object", "1"}, {"--object"}},
+      {{"--max-range=-1"}, {"--max-range", "-1"}},
+      {{"--max-range", "far"}, {"--max-range", "far"}},
       {{"--frobnicate"}, {"--frobnicate"}},
   };
   for (const auto& [flags, words] : cases)
@@ -234,6 +238,43 @@ TEST_F(InsertInput, structureTakesTwoHeightsAndLeavesTheInputAlone)
   EXPECT_EQ(2.6, parseJson(run.out)["parameters"]["structureMaxZ"].number);
   EXPECT_TRUE(contains(mapconv({"insert", "--help"}).out, "--structure MIN MAX   "))
       << "no word of more than two";
+}
+
+TEST_F(InsertInput, objectAndMaxRangeHaveFlags)
+{
+  const auto run = insert(
+      "chair.rawlog", {"--no-reflection-filter", "--object", "0.25", "0.75", "--max-range", "4"});
+  ASSERT_EQ(0, run.status) << run.err;
+  const JsonValue json = parseJson(run.out);
+  EXPECT_EQ(0.25, json["parameters"]["objectMinZ"].number);
+  EXPECT_EQ(0.75, json["parameters"]["objectMaxZ"].number);
+  EXPECT_EQ(4, json["parameters"]["maxRange"].number);
+  EXPECT_GT(json["occupied"].number, 0);
+  const auto near = insert("chair.rawlog", {"--no-reflection-filter", "--max-range", "1"});
+  EXPECT_EQ(1, near.status) << "the chair is 1.5 m away";
+  const auto low = insert("chair.rawlog", {"--no-reflection-filter", "--object", "0.1", "0.4"});
+  EXPECT_EQ(1, low.status) << "the chair's point is 0.5 m high";
+}
+
+TEST_F(InsertInput, aLidarOnARoofIsTheUsualCaseOutdoors)
+{
+  writeObjects(m_dir.path("car.rawlog"), {cloudOn({{1.75f, 0.25f, 0.5f}}, {0.25, 0.25, 1.9}, 0)});
+  const auto run = insert("car.rawlog", {"--no-reflection-filter"});
+  ASSERT_EQ(0, run.status) << run.err;
+  EXPECT_EQ("", run.err);
+  EXPECT_EQ(1, parseJson(run.out)["occupied"].number);
+}
+
+TEST_F(InsertInput, theStructureIsAskedForOnlyIfThereAre3DScans)
+{
+  writeObjects(m_dir.path("still.rawlog"), {});
+  for (const std::string file : {"still.rawlog", "missing.rawlog"})
+  {
+    const auto run = insert(file, {});
+    EXPECT_EQ(1, run.status) << run.err;
+    EXPECT_FALSE(contains(run.err, "--structure")) << run.err;
+    EXPECT_TRUE(contains(run.err, file)) << run.err;
+  }
 }
 
 TEST_F(InsertInput, cellsTooFineForMaxRangeAreNamedBeforeTheLogIsRead)

@@ -74,7 +74,19 @@ TEST(RealData, mrptsOwnLogs)
   }
 }
 
-TEST(RealData, logsWithout3DScansAreRefused)
+TEST(RealData, logsOf2DScansAreRead)
+{
+  const std::string file = kMrpt + "localization_demo.rawlog";
+  ASSERT_TRUE(isThere(file)) << file;
+  const TempDir dir;
+  const auto run =
+      mapconv({"convert", file, "-o", dir.path("out"), "--json", "--min-clearance", "0.1"});
+  ASSERT_EQ(0, run.status) << run.err;
+  EXPECT_TRUE(contains(run.err, "all of its scans are 2D")) << run.err;
+  EXPECT_GT(parseJson(run.out)["free"].number, 10000);
+}
+
+TEST(RealData, logsWithoutScansAreRefused)
 {
   const std::string file = kMrpt + "kf-slam_demo.rawlog";
   ASSERT_TRUE(isThere(file)) << file;
@@ -82,5 +94,5 @@ TEST(RealData, logsWithout3DScansAreRefused)
   const auto run = mapconv({"convert", file, "-o", dir.path("out")});
   EXPECT_EQ(1, run.status);
   EXPECT_TRUE(isOneError(run.err)) << run.err;
-  EXPECT_TRUE(contains(run.err, "no 3D observations")) << run.err;
+  EXPECT_TRUE(contains(run.err, "no scans (")) << run.err;
 }

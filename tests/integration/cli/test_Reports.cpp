@@ -70,6 +70,22 @@ TEST_F(Reports, WhatARobotPoseIsOfIsTakenOff)
         << count;
 }
 
+TEST_F(Reports, ACeilingInTheStructureSliceIsNoWall)
+{
+  const std::string log = kReports + "ceiling_2.45m.rawlog";
+  const auto run = mapconv({"insert", log, "-o", m_dir.path("map"), "--structure", "2.2", "2.6"});
+  EXPECT_EQ(1, run.status);
+  EXPECT_FALSE(std::filesystem::exists(m_dir.path("map")));
+  for (const char* words : {"ceiling_2.45m.rawlog", "11 of its 3D scans", "the ceiling, 2.45 m",
+                            "2.2 to 2.6 m", "structureMinZ = 2.1", "structureMaxZ = 2.35"})
+    EXPECT_TRUE(contains(run.err, words)) << words << " in " << run.err;
+  const auto below =
+      mapconv({"insert", log, "-o", m_dir.path("map"), "--json", "--structure", "2.1", "2.35"});
+  expectRoom(below);
+  EXPECT_EQ("", below.err);
+  EXPECT_GT(parseJson(below.out)["free"].number, 0.93 * parseJson(below.out)["cells"].number);
+}
+
 TEST_F(Reports, AnIniFileMayBeginWithAByteOrderMark)
 {
   const auto run =

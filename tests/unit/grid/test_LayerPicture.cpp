@@ -1,3 +1,4 @@
+#include <mrpt_mapconv/grid/KnownFrame.h>
 #include <mrpt_mapconv/grid/LayerPicture.h>
 #include <mrpt_mapconv/grid/OccupancyCell.h>
 
@@ -107,12 +108,38 @@ TEST(LayerPicture, missingValuesAreGrey)
   Layer<float> layer(GridFrame{0.1, 0, 0, 80, 80}, kNan);
   for (int x = 0; x < 80; ++x)
     for (int y = 0; y < 40; ++y) layer.at(x, y) = static_cast<float>(x);
+  layer.at(0, 79) = 0;  // else the picture would end above the known half
   layer.at(0, 0) = std::numeric_limits<float>::infinity();
   for (const StyledLayer& style : {kHeight, kSlope})
   {
     const std::size_t grey = colors(drawLayer(styled(layer, style)))[kNoDataRgb];
     EXPECT_NEAR(static_cast<double>(grey), 800.0 * 400 + 100, 500) << style.title;
   }
+}
+
+TEST(LayerPicture, showsWhatIsKnownAndAMargin)
+{
+  Layer<float> big(GridFrame{0.1, 0, 0, 1000, 900}, kNan);
+  for (int x = 500; x < 560; ++x)
+    for (int y = 300; y < 340; ++y) big.at(x, y) = static_cast<float>(x);
+  const GridFrame known{0.1, 500, 300, 60, 40}, shown{0.1, 497, 297, 66, 46};
+  EXPECT_EQ(knownFrame(big, LayerKind::Height), known);
+  EXPECT_EQ(shownFrame({styled(big, kHeight)}), shown);
+  const CImage image = drawLayer(styled(big, kHeight));
+  EXPECT_NEAR(static_cast<double>(colors(image)[kNoDataRgb]), (66 * 46 - 60 * 40) * 13 * 13, 900)
+      << "13 pixels a cell make 66 cells more than 800";
+  EXPECT_EQ(colors(drawLayer(styled(big, kHeight), {}, known))[kNoDataRgb],
+            colors(drawLayer(styled(big.onFrame(known, kNan), kHeight)))[kNoDataRgb]);
+
+  Layer<float> occupancy(big.frame(), kUnknown);
+  EXPECT_EQ(shownFrame({styled(occupancy, kOccupancy)}), big.frame()) << "nothing is known";
+  occupancy.at(0, 899) = kFree;  // the margin ends with the map
+  occupancy.at(1, 898) = 0.5f;
+  EXPECT_EQ(knownFrame(occupancy, LayerKind::Occupancy), (GridFrame{0.1, 0, 898, 2, 2}));
+  EXPECT_EQ(shownFrame({styled(occupancy, kOccupancy)}), (GridFrame{0.1, 0, 896, 4, 4}));
+  EXPECT_EQ(shownFrame({styled(big, kHeight), styled(occupancy, kOccupancy)}),
+            (GridFrame{0.1, 0, 270, 590, 630}))
+      << "pictures of one map show the same part";
 }
 
 TEST(LayerPicture, aLayerWithoutDataIsStillAPicture)

@@ -318,13 +318,29 @@ TEST(Rawlog, StaticOverridesPoses)
   for (const auto& scan : scans) expectPose(scan.robotPose, 0, 0, 0, 0);
 }
 
-TEST(Rawlog, Without3DData)
+TEST(Rawlog, ScansIn2DAreTakenAsThoseOfASimplemapAre)
 {
   const TempDir dir;
-  const auto path = rawlog(dir, {poseAt(0, {}), scan2DAt(0)});
-  EXPECT_EQ(rawlogError(path).rfind(path + ": no 3D observations", 0), 0u) << rawlogError(path);
-  const std::string real = std::string(kMrptData) + "localization_demo.rawlog";
-  EXPECT_TRUE(contains(rawlogError(real), "no 3D observations")) << rawlogError(real);
+  const auto moving = rawlog(dir, {poseAt(0, {1, 2, 0, 0, 0, 0}), scan2DAt(0), scan2DAt(5)});
+  const auto scans = readRawlog(moving);
+  ASSERT_EQ(scans.size(), 1u) << "no pose is known at 5 s";
+  expectPose(scans[0].robotPose, 1, 2, 0, 0);
+  EXPECT_EQ(readRawlog(rawlog(dir, {scan2DAt(0)})).size(), 1u) << "a single scan needs no pose";
+  const auto lost = rawlog(dir, {scan2DAt(0), scan2DAt(1)});
+  EXPECT_TRUE(contains(rawlogError(lost), "2 2D scans but no robot poses")) << rawlogError(lost);
+  const auto outside = rawlog(dir, {poseAt(0, {}), scan2DAt(5)});
+  EXPECT_TRUE(contains(rawlogError(outside), "no 2D scan lies within the time span"))
+      << rawlogError(outside);
+  EXPECT_GT(readRawlog(std::string(kMrptData) + "localization_demo.rawlog").size(), 30u);
+}
+
+TEST(Rawlog, WithoutScans)
+{
+  const TempDir dir;
+  const auto path = rawlog(dir, {poseAt(0, {})});
+  EXPECT_EQ(rawlogError(path).rfind(path + ": no scans (", 0), 0u) << rawlogError(path);
+  const std::string real = std::string(kMrptData) + "kf-slam_demo.rawlog";
+  EXPECT_TRUE(contains(rawlogError(real), "no scans (")) << rawlogError(real);
 }
 
 TEST(Rawlog, WholeRawlogAsOneObject)

@@ -107,7 +107,7 @@ TEST(ScanProfileInput, APointAtTheSensorIsNoWallEither)
   EXPECT_EQ(scan.row(), "????");
 }
 
-TEST(ScanProfileInput, SensorOutsideTheSlicesIsRefused)
+TEST(ScanProfileInput, SensorBelowTheSlicesIsRefusedOneAboveThemIsNot)
 {
   const auto compute = [](double z, bool filter)
   {
@@ -120,22 +120,25 @@ TEST(ScanProfileInput, SensorOutsideTheSlicesIsRefused)
   };
   EXPECT_NO_THROW(compute(0.0625, true));
   EXPECT_NO_THROW(compute(2.6875, true)) << "between the slices' ends";
-  EXPECT_NO_THROW(compute(1.4375, false));
-  for (const double z : {0.03125, -0.5, 2.78125}) EXPECT_THROW(compute(z, true), UnusableScan) << z;
-  for (const double z : {0.03125, 1.53125, 2.5})
-    EXPECT_THROW(compute(z, false), UnusableScan) << z << " without a structure slice";
-  const std::string message = thrownMessage<UnusableScan>([&] { compute(2.78125, true); });
-  EXPECT_NE(message.find("2.78"), std::string::npos) << message;
+  for (const double z : {1.4375, 1.53125, 2.5, 2.78125, 20.0})  // on a car's roof
+    for (const bool filter : {true, false}) EXPECT_NO_THROW(compute(z, filter)) << z;
+  for (const double z : {0.03125, -0.5})
+    for (const bool filter : {true, false}) EXPECT_THROW(compute(z, filter), UnusableScan) << z;
+  const std::string message = thrownMessage<UnusableScan>([&] { compute(-0.5, true); });
+  EXPECT_NE(message.find("-0.5 m above the robot's base"), std::string::npos) << message;
   EXPECT_EQ(message.find('\n'), std::string::npos) << message;
 }
 
 TEST(ScanProfileInput, SensorBetweenTheSlicesIsGoodWhetherTheFilterIsOnOrOff)
 {
   // objects end at 1.5 m, the structure begins at 2.25 m
-  HandScan scan({"S..o"});
-  EXPECT_EQ(scan.sensor(0.5, 0.5, 2).row(), "...#");
-  scan.params.reflectionFilter = false;
-  EXPECT_EQ(scan.row(), "...#");
+  for (const double z : {2.0, 5.0})  // and above them
+  {
+    HandScan scan({"S..o"});
+    EXPECT_EQ(scan.sensor(0.5, 0.5, z).row(), "...#");
+    scan.params.reflectionFilter = false;
+    EXPECT_EQ(scan.row(), "...#");
+  }
 }
 
 TEST(ScanProfileInput, PoseThatIsNotFiniteIsRefused)

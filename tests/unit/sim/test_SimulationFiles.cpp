@@ -10,11 +10,13 @@
 #include <mrpt/serialization/CSerializable.h>
 #include <mrpt_mapconv/files/ObjectFile.h>
 #include <mrpt_mapconv/grid/GeoTiff.h>
+#include <mrpt_mapconv/grid/KnownFrame.h>
 #include <mrpt_mapconv/grid/LayerPicture.h>
 #include <mrpt_mapconv/observation/ObservationPoints.h>
 #include <mrpt_mapconv/observation/ScanLog.h>
 #include <mrpt_mapconv/sim/SimulationFiles.h>
 
+#include <list>
 #include <numeric>
 #include <sstream>
 
@@ -232,7 +234,7 @@ TEST(SimulationFiles, PicturesSayWhatTheyAre)
   using mrpt_mapconv::grid::LayerKind;
   const TempDir dir;
   simulate(kRoom + kLidar + kDrive, 1, dir);
-  const std::vector<mrpt_mapconv::grid::StyledLayer> pictures{
+  std::vector<mrpt_mapconv::grid::StyledLayer> pictures{
       {"floor", nullptr, "Truth: bottom of the lowest gap", "m", LayerKind::Height},
       {"ceiling", nullptr, "Truth: top of the highest gap", "m", LayerKind::Height},
       {"slope", nullptr, "Truth: slope of the floor", "m/m", LayerKind::Slope},
@@ -240,16 +242,20 @@ TEST(SimulationFiles, PicturesSayWhatTheyAre)
       {"ground", nullptr, "Truth: occupancy for a ground robot", "", LayerKind::Occupancy},
       {"inView", nullptr, "In view: 3D returns per cell (log10)", "log10(returns)",
        LayerKind::Height}};
-  for (auto picture : pictures)
+  std::list<mrpt_mapconv::grid::Layer<float>> layers;
+  for (auto& picture : pictures)
   {
-    const auto& name = picture.name;
-    auto layer = mrpt_mapconv::grid::readGeoTiffBand(dir.path("truth.tif"), name);
-    if (name == "inView")
-      for (float& cell : layer.cells()) cell = cell > 0 ? std::log10(cell) : std::nanf("");
-    picture.layer = &layer;
+    layers.push_back(mrpt_mapconv::grid::readGeoTiffBand(dir.path("truth.tif"), picture.name));
+    picture.layer = &layers.back();
+  }
+  for (float& cell : layers.back().cells()) cell = cell > 0 ? std::log10(cell) : std::nanf("");
+  const auto shown = mrpt_mapconv::grid::shownFrame(pictures);
+  for (const auto& picture : pictures)
+  {
     const std::string expected = dir.path("expected.png");
-    mrpt_mapconv::grid::writeLayerPng(expected, picture);
-    EXPECT_TRUE(readBytes(expected) == readBytes(dir.path("truth_" + name + ".png"))) << name;
+    mrpt_mapconv::grid::writeLayerPng(expected, picture, {}, shown);
+    EXPECT_TRUE(readBytes(expected) == readBytes(dir.path("truth_" + picture.name + ".png")))
+        << picture.name;
   }
 }
 

@@ -25,15 +25,18 @@ struct PicturePath
  * grey ("no data").
  *
  * \param layer at least one cell
+ * \param shown the part of the layer that is drawn; without cells: its shownFrame()
  * \exception std::invalid_argument for an empty layer, or a StyledLayer::freeFor on another frame
  */
-mrpt::img::CImage drawLayer(const StyledLayer& layer, const PicturePath& path = {});
+mrpt::img::CImage drawLayer(const StyledLayer& layer, const PicturePath& path = {},
+                            const GridFrame& shown = {});
 
 /** Draws a layer as drawLayer() does, into a PNG file.
  *
  * \param file must end in ".png"
  * \exception std::invalid_argument as drawLayer(), or for another ending
  * \exception std::runtime_error naming the file and the reason if it cannot be written */
-void writeLayerPng(const std::string& file, const StyledLayer& layer, const PicturePath& path = {});
+void writeLayerPng(const std::string& file, const StyledLayer& layer, const PicturePath& path = {},
+                   const GridFrame& shown = {});
 
 }  // namespace mrpt_mapconv::grid

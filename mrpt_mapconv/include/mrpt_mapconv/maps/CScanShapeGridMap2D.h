@@ -29,11 +29,11 @@ namespace mrpt_mapconv
  * Observations: see observation::sensorPoints(); 2D scans are inserted as COccupancyGridMap2D does,
  * with its own insertionOptions, but rays that are not finite, or negative, count as invalid.
  * Others are ignored. A scan that says nothing, or nothing reliable (no point or valid ray, no
- * object, a pose that is not finite, see also scan::UnusableScan), is skipped with a warning, once
- * for each reason and sensor; see lastSkip(). Bad options and a grid that would become too large,
- * or lie too far away, are exceptions of insertObservation(). All of these leave the map exactly as
- * it was. So do likelihoods: lmMeanInformation, for which MRPT's grid inserts the scan and counts
- * none of its rays, is as little of use here, but inserts nothing.
+ * object, a pose that is not finite, a ceiling for walls, see also scan::UnusableScan), is skipped
+ * with a warning, once for each reason and sensor; see lastSkip(). Bad options and a grid that
+ * would become too large, or lie too far away, are exceptions of insertObservation(). All of these
+ * leave the map exactly as it was. So do likelihoods: lmMeanInformation, for which MRPT's grid
+ * inserts the scan and counts none of its rays, is as little of use here, but inserts nothing.
  *
  * In an ini file, with any prefix that MRPT gives:
  * \code
@@ -76,6 +76,10 @@ class CScanShapeGridMap2D : public mrpt::maps::COccupancyGridMap2D, public maps:
   scan::ProfileStatistics lastScan() const { return m_lastScan; }
   /** Why the last observation changed nothing, in one line; empty if it was inserted. */
   std::string lastSkip() const { return m_log.lastSkip(); }
+  /** The kind of that reason, without the figures of the scan; kCeilingSkip if the structure slice
+   * holds the ceiling, empty for an observation that is not for this map. */
+  std::string lastSkipKind() const { return m_log.lastSkipKind(); }
+  static constexpr const char* kCeilingSkip = "ceiling";
   /** Where the grid lies. */
   grid::GridFrame frame() const;
   /** Probability of occupancy of each cell, NaN where it is unknown (exactly 0.5). */

@@ -26,7 +26,11 @@ class MapLog
   observation::SayOnceLog warnings;  //!< on that logger
 
   /** Forgets the last skip; every insertion begins with it. */
-  void begin() { m_lastSkip.clear(); }
+  void begin()
+  {
+    m_lastSkip.clear();
+    m_lastSkipKind.clear();
+  }
   /** Remembers why an observation is not for the map. \return false */
   bool ignore(std::string_view why);
   /** Remembers, and says once for each reason and sensor, why a scan is not inserted.
@@ -36,9 +40,12 @@ class MapLog
   bool skip(const mrpt::obs::CObservation& obs, std::string_view kind, std::string_view why);
   /** Why the last observation changed nothing, in one line; empty if it was inserted. */
   const std::string& lastSkip() const { return m_lastSkip; }
+  /** The kind of that reason, the same for all scans that are skipped for it; empty for an
+   * observation that is not for the map. */
+  const std::string& lastSkipKind() const { return m_lastSkipKind; }
 
  private:
-  std::string m_lastSkip;
+  std::string m_lastSkip, m_lastSkipKind;
 };
 
 }  // namespace mrpt_mapconv::maps

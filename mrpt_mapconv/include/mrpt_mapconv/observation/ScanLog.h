@@ -52,7 +52,8 @@ struct RawlogOptions
  *
  * Scans without a time, in gaps between poses (maxPoseGap), and more than PoseTrack::kTolerance
  * outside the time span of the poses are left out, and one warning gives their numbers. In a log
- * without poses a single 3D scan is at the identity, and 2D scans are left out.
+ * without poses a single scan is at the identity; so is a single 3D scan among 2D scans, which are
+ * left out.
  *
  * Scans that are stored outside the log are read later, when their points are asked for. Therefore
  * this sets MRPT's global lazy-load directory (CImage::setImagesPathBase) to the log's image
@@ -61,8 +62,8 @@ struct RawlogOptions
  *
  * \param log told of what is left out; may be null
  * \exception std::runtime_error in one line naming the file: missing, empty, truncated (also in the
- * middle of an object), no rawlog, no 3D observations (2D scans alone do not count), several 3D
- * scans but no poses, no poses of the wanted source, or no 3D scan whose pose is known */
+ * middle of an object), no rawlog, no scans, several but no poses, no poses of the wanted source,
+ * or no scan whose pose is known, of the 3D scans if there are any */
 std::vector<PosedObservation> readRawlog(const std::string& path, const RawlogOptions& options = {},
                                          const mrpt::system::COutputLogger* log = nullptr);
 

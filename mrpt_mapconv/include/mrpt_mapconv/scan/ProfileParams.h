@@ -52,7 +52,8 @@ struct ProfileParams
     v("structureMaxZ", p.structureMaxZ, "m",
       "upper end of it, just under the ceiling; needed by the filter");
     v("minRange", p.minRange, "m", "objects nearer than that are left out, horizontally");
-    v("maxRange", p.maxRange, "m", "objects farther than that are left out, likewise");
+    v("maxRange", p.maxRange, "m", "objects farther than that are left out, likewise",
+      params::flag("M"));
     v("sectors", p.sectors, "",
       "azimuths that are looked along; 0 = at most a cell apart at maxRange");
     v("structureGap", params::Degrees(p.structureGap), "degrees",

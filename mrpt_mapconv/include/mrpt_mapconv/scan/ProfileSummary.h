@@ -10,4 +10,9 @@ namespace mrpt_mapconv::scan
  * from 2.3 to 2.6 m". */
 std::string summaryOf(const ProfileParams& params);
 
+/** That the structure slice holds the ceiling, and which one would not, e.g. "the ceiling at 2.45 m
+ * is in the structure slice (2.2 to 2.6 m) and passes for walls: …".
+ * \param height of the ceiling above the robot's base [m] */
+std::string ceilingText(double height, const ProfileParams& params);
+
 }  // namespace mrpt_mapconv::scan

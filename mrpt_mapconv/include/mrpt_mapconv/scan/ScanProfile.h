@@ -7,6 +7,7 @@
 
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -21,8 +22,8 @@ struct Viewpoint
   double azimuthStep = 0;           //!< between the sensor's columns [rad]; 0: not known
 };
 
-/** A scan that says nothing reliable: its pose is not finite, or the sensor is not within the
- * heights of the slices. */
+/** A scan that says nothing reliable: its pose is not finite, or the sensor is lower than all
+ * slices. */
 class UnusableScan : public std::runtime_error
 {
  public:
@@ -36,6 +37,12 @@ struct ProfileStatistics
   std::int32_t lines = 0;          //!< azimuths that were looked along
   std::int32_t linesWithWall = 0;  //!< those with a structural element; 0 without the filter
   std::size_t occupiedCells = 0, freeCells = 0;
+  /** Height above the robot's base [m] of a ceiling that the structure slice holds, which then
+   * passes for walls on all sides: of 64 sectors around the sensor (16 a quadrant, even along
+   * |x| + |y| = 1) that hold objects, at least 8, more than half have their nearest structure point
+   * within 5 cm (a quarter of the slice, if that is less) of the median height of all sectors'
+   * nearest ones, and an object more than 0.3 m behind it. */
+  std::optional<double> ceiling;
 
   /** linesWithWall / lines; 0 without lines. */
   double shareWithWall() const
