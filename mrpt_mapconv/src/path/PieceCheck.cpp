@@ -32,7 +32,7 @@ double floorBelow(const Layers& layers, const TPoint3D& at)
       grid::cellKey(at.x, frame.resolution), grid::cellKey(at.y, frame.resolution))]);
 }
 
-/** What of the voxels [low, high] in a column is occupied; nothing if none is. */
+/** The lowest occupied voxel that a body meets in a column; nothing if there is none. */
 std::optional<HeightRange> occupiedVoxel(VoxelLookup& voxels, double resolution,
                                          const SegmentColumn& column, const HeightRange& body)
 {
@@ -43,7 +43,7 @@ std::optional<HeightRange> occupiedVoxel(VoxelLookup& voxels, double resolution,
   return HeightRange{*found * resolution, (*found + 1) * resolution};
 }
 
-/** The same by the layers alone. */
+/** What the layers alone say of that. */
 std::optional<HeightRange> outsideFreeRange(const Layers& layers, Robot robot,
                                             const SegmentColumn& column, const HeightRange& body)
 {
@@ -59,6 +59,16 @@ std::optional<HeightRange> outsideFreeRange(const Layers& layers, Robot robot,
   if (robot == Robot::Aerial && body.high > ceiling + kHeightSlack)
     return HeightRange{ceiling, body.high};
   return std::nullopt;
+}
+
+/** Calls visit(index of its end, begin, end) for each piece between points that can be reached. */
+template <class Visit>
+void forEachPiece(const LiftedPath& path, const Visit& visit)
+{
+  for (std::size_t i = 1; i < path.points.size(); ++i)
+    if (path.points[i - 1].problem == Infeasibility::None &&
+        path.points[i].problem == Infeasibility::None)
+      visit(i, path.points[i - 1].position, path.points[i].position);
 }
 
 }  // namespace
@@ -95,55 +105,60 @@ PieceCheck::PieceCheck(const Layers& layers, const freespace::ConversionParams& 
 std::vector<PieceProblem> PieceCheck::problems(const LiftedPath& path) const
 {
   std::vector<PieceProblem> found;
-  const auto forEachPiece = [&](const auto& visit)
+  if (m_params.robot == Robot::Ground)
   {
-    for (std::size_t i = 1; i < path.points.size(); ++i)
-      if (path.points[i - 1].problem == Infeasibility::None &&
-          path.points[i].problem == Infeasibility::None)
-        visit(i, path.points[i - 1].position, path.points[i].position);
-  };
-  const auto addSteps = [&](Kind kind, const auto& heightAt)
-  {
-    forEachPiece(
-        [&](std::size_t index, const TPoint3D& from, const TPoint3D& to)
-        {
-          const double distance = std::hypot(to.x - from.x, to.y - from.y);
-          const double low = heightAt(from), high = heightAt(to);
-          if (m_limit.forbids(high - low, distance))
-            found.push_back({kind, index, {to.x, to.y}, low, high, distance, m_limit.at(distance)});
-        });
-  };
-  const bool ground = m_params.robot == Robot::Ground;
-  if (ground)
-  {
-    addSteps(Kind::FloorStep, [&](const TPoint3D& at) { return floorBelow(m_layers, at); });
-    addSteps(Kind::HeightStep, [](const TPoint3D& at) { return at.z; });
+    addSteps(path, Kind::FloorStep, found);
+    addSteps(path, Kind::HeightStep, found);
   }
+  addCrossings(path, found);
+  return found;
+}
 
-  // from the robot's lowest to its highest part, over the path's height
+void PieceCheck::addSteps(const LiftedPath& path, Kind kind, std::vector<PieceProblem>& found) const
+{
+  const auto heightAt = [&](const TPoint3D& at)
+  { return kind == Kind::FloorStep ? floorBelow(m_layers, at) : at.z; };
+  forEachPiece(path,
+               [&](std::size_t index, const TPoint3D& from, const TPoint3D& to)
+               {
+                 const double distance = std::hypot(to.x - from.x, to.y - from.y);
+                 const double before = heightAt(from), behind = heightAt(to);
+                 if (m_limit.forbids(behind - before, distance))
+                   found.push_back(
+                       {kind, index, {to.x, to.y}, before, behind, distance, m_limit.at(distance)});
+               });
+}
+
+void PieceCheck::addCrossings(const LiftedPath& path, std::vector<PieceProblem>& found) const
+{
+  const bool ground = m_params.robot == Robot::Ground;
+  // from the robot's lowest to its highest part that must be clear, over the path
   const HeightRange body = ground ? HeightRange{m_limit.least() - m_params.heightOffset,
                                                 m_minClearance - m_params.heightOffset}
                                   : HeightRange{0, 0};
+  if (body.low > body.high) return;  // a robot no higher than what it climbs
   const double resolution = m_layers.frame().resolution;
   std::optional<VoxelLookup> voxels;
   if (m_voxels) voxels.emplace(*m_voxels);
+  const auto hitIn = [&](const SegmentColumn& column)
+  {
+    const HeightRange swept{std::min(column.from.z, column.to.z) + body.low,
+                            std::max(column.from.z, column.to.z) + body.high};
+    return voxels ? occupiedVoxel(*voxels, resolution, column, swept)
+                  : outsideFreeRange(m_layers, m_params.robot, column, swept);
+  };
   forEachPiece(
+      path,
       [&](std::size_t index, const TPoint3D& from, const TPoint3D& to)
       {
         for (const SegmentColumn& column : columnsOf(from, to, resolution))
-        {
-          const HeightRange heights{std::min(column.from.z, column.to.z) + body.low,
-                                    std::max(column.from.z, column.to.z) + body.high};
-          if (body.low > body.high) return;  // a robot no higher than what it climbs
-          const auto hit = voxels ? occupiedVoxel(*voxels, resolution, column, heights)
-                                  : outsideFreeRange(m_layers, m_params.robot, column, heights);
-          if (!hit) continue;
-          const TPoint3D middle = (column.from + column.to) * 0.5;
-          found.push_back({Kind::Occupied, index, {middle.x, middle.y}, hit->low, hit->high, 0, 0});
-          return;
-        }
+          if (const auto hit = hitIn(column))
+          {
+            const TPoint3D at = (column.from + column.to) * 0.5;
+            found.push_back({Kind::Occupied, index, {at.x, at.y}, hit->low, hit->high, 0, 0});
+            return;
+          }
       });
-  return found;
 }
 
 }  // namespace mrpt_mapconv::path

@@ -53,6 +53,10 @@ class PieceCheck
   std::vector<PieceProblem> problems(const LiftedPath& path) const;
 
  private:
+  void addSteps(const LiftedPath& path, PieceProblem::Kind kind,
+                std::vector<PieceProblem>& found) const;
+  void addCrossings(const LiftedPath& path, std::vector<PieceProblem>& found) const;
+
   const freespace::Layers& m_layers;
   double m_minClearance;
   const LiftParams& m_params;
