@@ -67,7 +67,7 @@ int main()
     lowest = std::min(lowest, z);
     if (x > 3 && x < 3.1) throughWindow = z;
   }
-  std::cout << found.length << " m long\n";
+  std::cout << found.path.length() << " m long\n";
 
   const planning::RobotPath none = flight(twoRooms(false));
   std::cout << "without the window: " << none.problem << '\n';

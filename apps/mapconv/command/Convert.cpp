@@ -59,8 +59,9 @@ void warnAbout(const freespace::LayerStatistics& counts, const ConversionParams&
   if (minStep > kHighStep && !stepsChecked)
     printWarning(
         mrpt::format("the slope test marks straight steps for the ground robot only from "
-                     "minStep = %.2f m on; --max-step %.2g, say, also marks lower ones",
-                     minStep, std::max(0.1, 1.5 * resolution)));
+                     "minStep = %.2f m on, and walls one cell thick from minThinWall = %.2f m on; "
+                     "--max-step %.2g, say, also marks lower ones",
+                     minStep, params.minThinWall(resolution), std::max(0.1, 1.5 * resolution)));
 }
 
 std::string jsonSummary(const SummaryHead& head, const freespace::LayerStatistics& counts,
@@ -70,7 +71,9 @@ std::string jsonSummary(const SummaryHead& head, const freespace::LayerStatistic
   json.add("steep", counts.steep).add("slopeUnknown", counts.slopeUnknown);
   JsonObject parameters;
   addFields(params, parameters);
-  json.add("minStep", params.minStep(head.frame.resolution)).add("parameters", parameters);
+  const double resolution = head.frame.resolution;
+  json.add("minStep", params.minStep(resolution));
+  json.add("minThinWall", params.minThinWall(resolution)).add("parameters", parameters);
   return json.add("seconds", secondsJson(seconds)).text() + "\n";
 }
 
@@ -83,8 +86,11 @@ std::string textSummary(const SummaryHead& head, const freespace::LayerStatistic
       "ground       %zu of the free cells are too steep or too high a step (steep), "
       "%zu have no known slope (slopeUnknown)\n",
       counts.steep, counts.slopeUnknown);
-  text += mrpt::format("minStep      %.2f m: lowest straight step that the slope test marks; ",
-                       params.minStep(head.frame.resolution));
+  text += mrpt::format(
+      "minStep      %.2f m: lowest straight step that the slope test marks\n"
+      "minThinWall  %.2f m: lowest wall one cell thick that it marks, on either side; single posts "
+      "hardly ever; ",
+      params.minStep(head.frame.resolution), params.minThinWall(head.frame.resolution));
   text += params.maxStep > 0 ? "maxStep marks those above " + jsonNumber(params.maxStep) + " m\n"
                              : std::string("maxStep is off\n");
   return text + secondsText(seconds);

@@ -1,6 +1,7 @@
 #include <mrpt_mapconv/files/AtomicFile.h>
 #include <mrpt_mapconv/files/FileIo.h>
 #include <mrpt_mapconv/path/LiftPath.h>
+#include <mrpt_mapconv/path/PieceCheck.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -41,6 +42,27 @@ path::LiftedPath lifted(const std::vector<mrpt::math::TPoint2D>& path2D, const M
   }
 }
 
+/** \exception std::runtime_error naming the first point that cannot be reached, or from the one
+ * before it, with the reason */
+void checkPath(const path::LiftedPath& path, const MapFolder& map, const path::LiftParams& params,
+               const std::string& file)
+{
+  if (const auto problem = path.firstProblem())
+  {
+    const auto bad =
+        std::count_if(path.points.begin(), path.points.end(),
+                      [](const auto& point) { return point.problem != path::Infeasibility::None; });
+    throw std::runtime_error(file + ": " + path.describeProblem(*problem) + " (" +
+                             std::to_string(bad) + " of " + std::to_string(path.points.size()) +
+                             " points cannot be reached; nothing written)");
+  }
+  const auto problems =
+      path::PieceCheck(map.layers(), map.params(), params, map.voxels()).problems(path);
+  if (!problems.empty())
+    throw std::runtime_error(file + ": point " + std::to_string(problems.front().index) + " " +
+                             problems.front().inWords() + " (nothing written)");
+}
+
 int lift(const LiftOptions& options)
 {
   checkCsvName(options.outputFile);
@@ -53,15 +75,7 @@ int lift(const LiftOptions& options)
   const auto params =
       liftParamsOf(options, map, std::min(kSafetyRadius, map.params().minClearance / 2));
   const auto path = lifted(path2D, map, params, options.pathFile);
-  if (const auto problem = path.firstProblem())
-  {
-    const auto bad =
-        std::count_if(path.points.begin(), path.points.end(),
-                      [](const auto& point) { return point.problem != path::Infeasibility::None; });
-    throw std::runtime_error(options.pathFile + ": " + path.describeProblem(*problem) + " (" +
-                             std::to_string(bad) + " of " + std::to_string(path.points.size()) +
-                             " points cannot be reached; nothing written)");
-  }
+  checkPath(path, map, params, options.pathFile);
   files::AtomicFile file(options.outputFile);
   files::writeFile(file.stagingPath(), pathCsv(path));
   file.commit();
@@ -85,7 +99,9 @@ std::pair<CLI::App*, Command> addLift(CLI::App& app)
   sub->footer(
       "Example:\n  mapconv lift maps path2d.csv --robot aerial --safety-radius 0.3 -o path3d.csv\n"
       "Points are added until they lie no further apart than a cell. If one of them cannot be\n"
-      "reached, the program says which and why, and writes nothing.");
+      "reached, or not straight from the one before (a step too high for a ground robot, "
+      "something\n"
+      "occupied in between), the program says which and why, and writes nothing.");
   return {sub, [options] { return lift(*options); }};
 }
 

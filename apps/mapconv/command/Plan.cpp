@@ -2,6 +2,7 @@
 #include <mrpt_mapconv/files/FileIo.h>
 #include <mrpt_mapconv/files/OutputDir.h>
 #include <mrpt_mapconv/grid/LayerPicture.h>
+#include <mrpt_mapconv/planning/Remedies.h>
 #include <mrpt_mapconv/planning/RobotPath.h>
 
 #include <CLI/CLI.hpp>
@@ -47,10 +48,26 @@ void writeOutputs(const PlanOptions& options, const MapFolder& map, const planni
   auto picture = map.layers().styled(ground ? "ground" : "aerial");
   picture.title = "Path of the " + options.robot + " robot";
   const grid::PicturePath path{flat(way.path),
-                               mrpt::format("path, %.1f m, from the ring to the disc", way.length)};
+                               "path, " + pathLengths(way.path) + ", from the ring to the disc"};
   files::writeFile(out.path(file.filename().string()), pathCsv(way.path));
   grid::writeLayerPng(out.path(stem + ".png"), picture, path);
   writePathScene(out.path(stem + ".3Dscene"), map.layers(), map.octree(), way.path);
+}
+
+/** What would have to change so that there is a path; empty if nothing does. */
+std::string remediesText(const planning::Remedies& remedies)
+{
+  std::string text;
+  const auto add = [&](const char* words, const std::optional<double>& value)
+  {
+    if (value)
+      text += (text.empty() ? "; there is one with " : ", or with ") +
+              (words + mrpt::format("%.6g", *value));
+  };
+  add("--robot-radius ", remedies.robotRadius);
+  add("--height-offset ", remedies.heightOffset);
+  add("a map converted with --max-step ", remedies.maxStep);
+  return text;
 }
 
 int plan(const PlanOptions& options)
@@ -67,7 +84,13 @@ int plan(const PlanOptions& options)
   const auto way = job.stage(
       "plan", "planning",
       [&] { return planning::planRobotPath(map.layers(), map.params(), query, map.voxels()); });
-  if (!way.found()) throw std::runtime_error(options.dir + ": no path: " + way.problem);
+  if (!way.found())
+  {
+    job.progress().stage("trying what would help");
+    throw std::runtime_error(
+        options.dir + ": no path: " + way.problem +
+        remediesText(planning::findRemedies(map.layers(), map.params(), query, map.voxels())));
+  }
   const std::string folder = std::filesystem::path(options.outputFile).parent_path().string();
   job.write(folder.empty() ? "." : folder,
             [&](files::OutputDir& out) { writeOutputs(options, map, way, out); });
@@ -105,7 +128,12 @@ std::pair<CLI::App*, Command> addPlan(CLI::App& app)
       "Example:\n"
       "  mapconv plan maps --robot ground --from -3,1.5 --to 7,4 --robot-radius 0.25 -o path.csv\n"
       "Beside path.csv appear path.png (over the map) and path.3Dscene (in the voxel map).\n"
-      "Without a path the exit status is 1, and the message says why.");
+      "The path keeps to free cells whose square is at least the robot's radius away from the\n"
+      "square of every cell that is not free; a corridor of n cells is wide enough from\n"
+      "n = 2 radius/resolution + 1 on, rounded up to an odd number. A ground robot climbs no\n"
+      "change of height above max(maxStep, one voxel, maxSlope x distance) from point to point,\n"
+      "and no straight piece of a path crosses an occupied voxel.\n"
+      "Without a path the exit status is 1; the message says why, and which flag would help.");
   return {sub, [options] { return plan(*options); }};
 }
 

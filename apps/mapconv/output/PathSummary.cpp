@@ -15,17 +15,15 @@ namespace
 {
 struct PathFigures
 {
-  double length = 0, lowest = INFINITY, highest = -INFINITY;
+  double lowest = INFINITY, highest = -INFINITY;
   std::size_t floorAhead = 0, sphere = 0;  // points whose height the rules decided
 };
 
 PathFigures figuresOf(const path::LiftedPath& path)
 {
   PathFigures figures;
-  for (std::size_t i = 0; i < path.points.size(); ++i)
+  for (const path::LiftedPoint& point : path.points)
   {
-    const path::LiftedPoint& point = path.points[i];
-    if (i > 0) figures.length += (point.position - path.points[i - 1].position).norm();
     figures.lowest = std::min(figures.lowest, point.position.z);
     figures.highest = std::max(figures.highest, point.position.z);
     ++(point.rule == HeightRule::FloorAhead ? figures.floorAhead : figures.sphere);
@@ -43,12 +41,17 @@ std::string pathCsv(const path::LiftedPath& path)
   return text;
 }
 
+std::string pathLengths(const path::LiftedPath& path)
+{
+  return mrpt::format("%.2f m, %.2f m in 2D", path.length(), path.length2D());
+}
+
 std::string pathText(const path::LiftedPath& path)
 {
   const PathFigures figures = figuresOf(path);
-  std::string text =
-      mrpt::format("points       %zu, %.2f m long, z from %.2f to %.2f m\n", path.points.size(),
-                   figures.length, figures.lowest, figures.highest);
+  std::string text = mrpt::format("points       %zu, z from %.2f to %.2f m\n", path.points.size(),
+                                  figures.lowest, figures.highest);
+  text += "length       " + pathLengths(path) + "\n";
   text += mrpt::format("heights      %zu from the floor ahead and behind, %zu from the sphere\n",
                        figures.floorAhead, figures.sphere);
   return text;
@@ -58,7 +61,8 @@ JsonObject pathJson(const path::LiftedPath& path)
 {
   const PathFigures figures = figuresOf(path);
   JsonObject json;
-  json.add("points", path.points.size()).add("length", figures.length);
+  json.add("points", path.points.size()).add("length", path.length());
+  json.add("length2D", path.length2D());
   json.add("zMin", figures.lowest).add("zMax", figures.highest);
   json.add("heightsFromFloor", figures.floorAhead).add("heightsFromSphere", figures.sphere);
   return json.add("slabsChecked", path.slabsChecked);

@@ -11,6 +11,9 @@ namespace mapconv
 /** A path as a CSV file with the header x,y,z and a point a line [m]. */
 std::string pathCsv(const mrpt_mapconv::path::LiftedPath& path);
 
+/** How long a path is in 3D, and in 2D by that name. */
+std::string pathLengths(const mrpt_mapconv::path::LiftedPath& path);
+
 /** What became of a path: points, heights, what decided them. @{ */
 std::string pathText(const mrpt_mapconv::path::LiftedPath& path);
 JsonObject pathJson(const mrpt_mapconv::path::LiftedPath& path);

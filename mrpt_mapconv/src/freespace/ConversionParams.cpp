@@ -48,4 +48,9 @@ double ConversionParams::minStep(double resolution) const
   return maxSlope * resolution * (2 * slopeWindow + 1) / 1.5;
 }
 
+double ConversionParams::minThinWall(double resolution) const
+{
+  return maxSlope * resolution * (slopeWindow + 1) * (2 * slopeWindow + 1) / 3;
+}
+
 }  // namespace mrpt_mapconv::freespace

@@ -65,6 +65,23 @@ std::optional<std::size_t> LiftedPath::firstProblem() const
   return static_cast<std::size_t>(found - points.begin());
 }
 
+double LiftedPath::length() const
+{
+  double sum = 0;
+  for (std::size_t i = 1; i < points.size(); ++i)
+    sum += (points[i].position - points[i - 1].position).norm();
+  return sum;
+}
+
+double LiftedPath::length2D() const
+{
+  double sum = 0;
+  for (std::size_t i = 1; i < points.size(); ++i)
+    sum += std::hypot(points[i].position.x - points[i - 1].position.x,
+                      points[i].position.y - points[i - 1].position.y);
+  return sum;
+}
+
 std::string LiftedPath::describeProblem(std::size_t index) const
 {
   const LiftedPoint& point = points.at(index);

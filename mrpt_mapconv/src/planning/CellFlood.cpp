@@ -10,7 +10,7 @@ namespace
 constexpr std::array<Cell, 4> kSteps{Cell{1, 0}, Cell{0, 1}, Cell{-1, 0}, Cell{0, -1}};
 }
 
-CellFlood::CellFlood(const CellMask& passable, Cell start)
+CellFlood::CellFlood(const CellMask& passable, const BlockedSides& blocked, Cell start)
     : m_start(start), m_reached(passable.frame(), 0), m_cameFrom(passable.frame(), 0)
 {
   std::vector<Cell> front{start}, next;
@@ -22,7 +22,7 @@ CellFlood::CellFlood(const CellMask& passable, Cell start)
       for (std::size_t s = 0; s < kSteps.size(); ++s)
       {
         const Cell to{from.x + kSteps[s].x, from.y + kSteps[s].y};
-        if (!holds(passable, to) || holds(m_reached, to)) continue;
+        if (!holds(passable, to) || holds(m_reached, to) || blocked.between(from, to)) continue;
         m_reached.at(to.x, to.y) = 1;
         m_cameFrom.at(to.x, to.y) = static_cast<std::uint8_t>(s);
         next.push_back(to);

@@ -2,15 +2,17 @@
 
 #include <vector>
 
+#include "BlockedSides.h"
 #include "PassableCells.h"
 
 namespace mrpt_mapconv::planning
 {
-/** What can be reached from a cell over the sides of passable cells, breadth first. */
+/** What can be reached from a cell over the sides of passable cells, but for blocked ones, breadth
+ * first. */
 class CellFlood
 {
  public:
-  CellFlood(const CellMask& passable, Cell start);
+  CellFlood(const CellMask& passable, const BlockedSides& blocked, Cell start);
 
   /** The cells that can be reached, the start among them. */
   const CellMask& reached() const { return m_reached; }

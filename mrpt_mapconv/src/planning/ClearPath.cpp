@@ -68,12 +68,12 @@ bool isClear(const CellMask& mask, const std::vector<Waypoint>& path)
                             { return !isClear(mask, from, to); }) == path.end();
 }
 
-std::vector<Waypoint> shortened(const CellMask& mask, const std::vector<Waypoint>& path)
+std::vector<Waypoint> shortened(const SegmentTest& isClear, const std::vector<Waypoint>& path)
 {
   if (path.empty()) return {};
   std::vector<Waypoint> kept{path.front()};
   for (std::size_t i = 1; i < path.size(); ++i)
-    if (i + 1 == path.size() || !isClear(mask, kept.back(), path[i + 1])) kept.push_back(path[i]);
+    if (i + 1 == path.size() || !isClear(kept.back(), path[i + 1])) kept.push_back(path[i]);
   return kept;
 }
 

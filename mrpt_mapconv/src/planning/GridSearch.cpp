@@ -123,22 +123,6 @@ std::vector<Waypoint> throughCentres(const GridFrame& frame, const Waypoint& sta
   return path;
 }
 
-/** Makes side steps of the diagonal ones that do not keep to open cells. */
-std::vector<Cell> keptToCentres(const GridFrame& frame, const CellMask& open,
-                                const std::vector<Cell>& way)
-{
-  std::vector<Cell> kept;
-  for (const Cell& cell : way)
-  {
-    const Cell last = kept.empty() ? cell : kept.back();
-    if (last.x != cell.x && last.y != cell.y &&
-        !isClear(open, {last, centreOf(frame, last)}, {cell, centreOf(frame, cell)}))
-      kept.push_back({last.x, cell.y});
-    kept.push_back(cell);
-  }
-  return kept;
-}
-
 /** The points of a path, of which neighbours differ. */
 std::vector<TPoint2D> pointsOf(const std::vector<Waypoint>& path)
 {
@@ -157,9 +141,15 @@ GridSearch::GridSearch(const Layer<float>& occupancy, const TPoint2D& start, con
   checkInput(occupancy, start, goal, robotRadius);
   const GridFrame& frame = occupancy.frame();
   m_passable = passableCells(occupancy, robotRadius / frame.resolution);
-  m_open = m_passable;
-  m_problem = problemAt("start", start, occupancy, m_passable, robotRadius);
-  if (m_problem.empty()) m_problem = problemAt("goal", goal, occupancy, m_passable, robotRadius);
+  m_untested = m_open = m_passable;
+  m_blocked = BlockedSides(frame);
+  for (const auto& [name, place] : {std::pair{"start", start}, {"goal", goal}})
+  {
+    m_problem = problemAt(name, place, occupancy, m_passable, robotRadius);
+    if (m_problem.empty()) continue;
+    if (contains(frame, place)) m_badEnd = waypointAt(frame, place).cell;
+    return;
+  }
 }
 
 void GridSearch::exclude(Cell cell)
@@ -168,6 +158,18 @@ void GridSearch::exclude(Cell cell)
 }
 
 void GridSearch::keepToCentre(Cell cell) { m_open.at(cell.x, cell.y) = 0; }
+
+void GridSearch::blockSide(Cell a, Cell b)
+{
+  m_blocked.block(a, b);
+  keepToCentre(a);
+  keepToCentre(b);
+}
+
+CellMask GridSearch::reachable() const
+{
+  return CellFlood(m_passable, m_blocked, waypointAt(m_passable.frame(), m_start).cell).reached();
+}
 
 GridPath GridSearch::plan() const
 {
@@ -183,21 +185,53 @@ GridPath GridSearch::plan() const
   return {{}, problem.str()};
 }
 
+/** Whether the robot may go straight, not only from one cell to the next through their centres. */
+bool GridSearch::isClearSegment(const Waypoint& from, const Waypoint& to) const
+{
+  return isClear(m_open, from, to) && (isClear(m_untested, from, to) || m_segmentTest(from, to));
+}
+
+/** Makes side steps of the diagonal ones that are not clear. */
+std::vector<Cell> GridSearch::keptToCentres(const std::vector<Cell>& way) const
+{
+  const GridFrame& frame = m_passable.frame();
+  std::vector<Cell> kept;
+  for (const Cell& cell : way)
+  {
+    const Cell last = kept.empty() ? cell : kept.back();
+    if (last.x != cell.x && last.y != cell.y &&
+        !isClearSegment({last, centreOf(frame, last)}, {cell, centreOf(frame, cell)}))
+      kept.push_back({last.x, cell.y});
+    kept.push_back(cell);
+  }
+  return kept;
+}
+
+/** MRPT's planner knows no blocked sides, so it gets none of the cells that have some. */
+std::vector<Cell> GridSearch::mrptWay(CellMask reached, Cell from, Cell to) const
+{
+  for (std::int32_t iy = 0; iy < reached.frame().height; ++iy)
+    for (std::int32_t ix = 0; ix < reached.frame().width; ++ix)
+      if (m_blocked.any({ix, iy})) reached.at(ix, iy) = 0;
+  if (!holds(reached, from) || !holds(reached, to)) return {};
+  return wayOfMrptPlanner(reached, from, to);
+}
+
 /** The shorter of the planner's and the flood's path whose steps are all clear; empty if there is
  * none. */
 std::vector<Waypoint> GridSearch::bestPath(const Waypoint& from, const Waypoint& to) const
 {
-  if (isClear(m_open, from, to)) return {from, to};
-  const CellFlood flood(m_passable, from.cell);
+  if (isClearSegment(from, to)) return {from, to};
+  const CellFlood flood(m_passable, m_blocked, from.cell);
   if (!holds(flood.reached(), to.cell)) return {};
   const GridFrame& frame = m_passable.frame();
   std::vector<Waypoint> best;
-  for (const auto& way :
-       {wayOfMrptPlanner(flood.reached(), from.cell, to.cell), flood.wayTo(to.cell)})
+  for (const auto& way : {mrptWay(flood.reached(), from.cell, to.cell), flood.wayTo(to.cell)})
   {
-    const auto full = throughCentres(frame, from, to, keptToCentres(frame, m_open, way));
+    const auto full = throughCentres(frame, from, to, keptToCentres(way));
     if (way.empty() || !isClear(flood.reached(), full)) continue;
-    const auto path = shortened(m_open, full);
+    const auto path = shortened(
+        [this](const Waypoint& a, const Waypoint& b) { return isClearSegment(a, b); }, full);
     if (best.empty() || length(path) < length(best)) best = path;
   }
   return best;

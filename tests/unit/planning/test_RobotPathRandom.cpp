@@ -108,7 +108,7 @@ class Places
 
 struct Tally
 {
-  int connected = 0, detours = 0, onlyIn2D = 0, luck = 0, notIn2D = 0;
+  int connected = 0, detours = 0, onlyIn2D = 0, luck = 0, notIn2D = 0, small = 0;
 };
 
 /** Every point's sphere is clear, and the way keeps to what planOnGrid may use. */
@@ -171,6 +171,13 @@ void checkOnce(unsigned seed, Tally& tally)
   }
   if (places.connected(from.first, from.second, to.first, to.second))
   {
+    // a sphere that does not reach the next cell may fit in here and there, but not on the way
+    if (query.lift.safetyRadius < 0.5 * layers.frame().resolution && !path.found())
+    {
+      ++tally.small;
+      ASSERT_NE(path.problem.find("at ("), std::string::npos) << path.problem;
+      return;
+    }
     ++tally.connected;
     ASSERT_TRUE(path.found()) << path.problem;
     const auto straight = planOnGrid(layers.aerial, query.start, query.goal, query.robotRadius);
@@ -196,6 +203,7 @@ TEST(RobotPathRandom, isRightOnRandomLayers)
   EXPECT_GT(tally.onlyIn2D, 100);
   EXPECT_GT(tally.notIn2D, 50);
   EXPECT_LT(tally.luck, 50);
+  EXPECT_LT(tally.small, 50);
   RecordProperty("connected", tally.connected);
   RecordProperty("detours", tally.detours);
   RecordProperty("only_in_2d", tally.onlyIn2D);

@@ -23,8 +23,8 @@ struct ConversionParams
     v("minClearance", p.minClearance, "m", "a free range must be at least this high", flag("M"));
     v("minOccupancy", p.minOccupancy, "",
       "least share of a neighbour's free range that blocks, 0 to 1", flag("P"));
-    v("slopeWindow", p.slopeWindow, "cells", "half side of the window over which a cell's slope is fitted",
-      flag("N"));
+    v("slopeWindow", p.slopeWindow, "cells",
+      "half side of the window over which a cell's slope is fitted", flag("N"));
     v("maxSlope", p.maxSlope, "m/m", "steepest slope for a ground robot", flag("S"));
     v("maxStep", p.maxStep, "m", "highest step for a ground robot; 0 = not looked at", flag("M"));
   }
@@ -38,6 +38,10 @@ struct ConversionParams
   /** Height of the lowest straight step that the slope test marks: maxSlope·res·(2·S_A+1)/1.5 [m].
    * Averaging over the window hides lower ones; maxStep finds them. */
   double minStep(double resolution) const;
+  /** Height of the lowest straight wall, one cell thick, around which the slope test marks cells:
+   * ((S_A+1)(2·S_A+1)/3)·maxSlope·res [m]. They lie S_A cells away from it on either side: on the
+   * wall the slope is 0, and a single post is marked at 2·S_A+1 times that height only. */
+  double minThinWall(double resolution) const;
 };
 
 }  // namespace mrpt_mapconv::freespace

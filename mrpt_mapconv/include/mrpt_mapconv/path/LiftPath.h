@@ -69,6 +69,8 @@ struct LiftedPath
   /** Index of the first point that cannot be reached; nothing if there is none. */
   std::optional<std::size_t> firstProblem() const;
   bool feasible() const { return !firstProblem(); }
+  double length() const;    //!< over all points [m]; NaN if one cannot be reached
+  double length2D() const;  //!< the same without the heights [m]
   /** Why a point cannot be reached, in words with its index and place; empty if it can be. */
   std::string describeProblem(std::size_t index) const;
 };
@@ -91,6 +93,8 @@ struct LiftedPath
  *
  * Heights are taken as the layers hold them, in float, also a run's ends. A height that violates a
  * condition by 1e-5 m or less satisfies it, and differences of up to 1e-5 m count as equally near.
+ * What lies between two points is left to PieceCheck.
+ *
  * Points that cannot be reached say why (of several reasons the first in Infeasibility's order); no
  * other point depends on that.
  *

@@ -21,21 +21,27 @@ struct RobotPathQuery
 struct RobotPath
 {
   path::LiftedPath path;  //!< feasible; without points if there is a problem
-  double length = 0;      //!< of the 2D way [m]
   std::string problem;    //!< in words, with the place; empty if there is a path
   bool found() const { return problem.empty(); }
 };
 
 /** Plans on the robot's occupancy layer (planOnGrid) and lifts the way to 3D (liftPath).
  *
+ * A ground robot is not led over steps of the floor that are higher than path::StepLimit allows
+ * from one cell to the next; where there is no way without one, the problem names it.
+ *
  * Occupancy does not tell whether a sphere fits in between the floors and ceilings around a place.
  * Where the lifted way shows that it does not, that is looked at and the way is planned anew: cells
  * at whose centre liftPath() finds no height are left out, those around them too; cells in which
- * only other places are bad are crossed from side to side through their centres. So if passable
- * cells (see planOnGrid) in whose centres the robot fits lead side by side from the start's to the
- * goal's, there is a path, and it is found unless mostAttempts ways have been bad before, or one
- * below and the next above a slab: such climbs are led around, too, but not every way around is
- * tried, as heights depend on the way. On the path found, the sphere is clear at every point, and
+ * only other places are bad are crossed from side to side through their centres. So are cells
+ * between whose points path::PieceCheck finds a fault; where it still does, one is left out.
+ *
+ * So if passable cells (see planOnGrid) in whose centres the robot fits lead side by side from the
+ * start's to the goal's, there is a path, and it is found unless mostAttempts ways have been bad
+ * before, or something lies between two points, as a slab does if one is below and the next above
+ * it: that is led around, too, but not every way around is tried, as heights depend on the way. On
+ * the path found PieceCheck finds no fault (at most, in a ground robot's first and last cell, a
+ * step of the heights that run ahead of an even floor), the sphere is clear at every point, and
  * between two points never more than a cell away from a place where it is.
  *
  * \param layers, conversion, voxels as for liftPath()

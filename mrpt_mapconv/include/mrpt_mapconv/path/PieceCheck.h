@@ -1,0 +1,67 @@
+#pragma once
+
+#include <mrpt_mapconv/path/LiftPath.h>
+#include <mrpt_mapconv/path/StepLimit.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace mrpt_mapconv::path
+{
+/** Why a robot cannot go straight from one point of a lifted path to the next. */
+struct PieceProblem
+{
+  enum class Kind : std::uint8_t
+  {
+    FloorStep,   //!< the floors below the two points differ too much for a ground robot
+    HeightStep,  //!< so do the path's heights
+    Occupied     //!< an occupied voxel is in the way; without a voxel map, what the layers show
+  };
+  Kind kind = Kind::Occupied;
+  std::size_t index = 0;       //!< of the second of the two points
+  mrpt::math::TPoint2D place;  //!< [m]
+  double from = 0, to = 0;  //!< heights before and behind the step, or below and above what is in
+                            //!< the way [m]
+  double distance = 0;      //!< between the two points, horizontally [m]
+  double limit = 0;         //!< of the step [m]
+
+  std::string inWords() const;  //!< with place and heights
+};
+
+/** Checks the straight pieces between the points of a lifted path; liftPath() looks at the points.
+ *
+ * - Ground robots: neither floor nor height changes by more than StepLimit from point to point.
+ * - No piece crosses an occupied voxel (touching is no crossing). An aerial robot's is the piece
+ *   itself; for a ground robot all counts that is above the piece, less heightOffset, by
+ *   max(maxStep, one voxel) to minClearance.
+ * - Without a voxel map the layers stand for it: occupied cells without a floor at all heights,
+ *   others below their floor and, for aerial robots, above their ceiling.
+ */
+class PieceCheck
+{
+ public:
+  /** \param layers, conversion, params, voxels as for liftPath(); they must outlive this */
+  PieceCheck(const freespace::Layers& layers, const freespace::ConversionParams& conversion,
+             const LiftParams& params, const voxel::VoxelSource* voxels);
+
+  /** What is wrong with a path's pieces: its steps of the floor, then those of its heights, then
+   * what is in the way, each from the start on. Pieces that end in a point that cannot be reached
+   * are left out. */
+  std::vector<PieceProblem> problems(const LiftedPath& path) const;
+
+ private:
+  void addSteps(const LiftedPath& path, PieceProblem::Kind kind,
+                std::vector<PieceProblem>& found) const;
+  void addCrossings(const LiftedPath& path, std::vector<PieceProblem>& found) const;
+
+  const freespace::Layers& m_layers;
+  double m_minClearance;
+  const LiftParams& m_params;
+  const voxel::VoxelSource* m_voxels;
+  StepLimit m_limit;
+};
+
+}  // namespace mrpt_mapconv::path

@@ -1,0 +1,164 @@
+#include <mrpt_mapconv/grid/CellKey.h>
+#include <mrpt_mapconv/grid/OccupancyCell.h>
+#include <mrpt_mapconv/path/PieceCheck.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "NearestHeight.h"
+#include "SegmentColumns.h"
+#include "VoxelLookup.h"
+
+namespace mrpt_mapconv::path
+{
+namespace
+{
+using freespace::Layers;
+using freespace::Robot;
+using mrpt::math::TPoint3D;
+using Kind = PieceProblem::Kind;
+
+/** Heights, upwards [m]. */
+struct HeightRange
+{
+  double low, high;
+};
+
+double floorBelow(const Layers& layers, const TPoint3D& at)
+{
+  const grid::GridFrame& frame = layers.frame();
+  return static_cast<double>(layers.floor.cells()[frame.indexOfKey(
+      grid::cellKey(at.x, frame.resolution), grid::cellKey(at.y, frame.resolution))]);
+}
+
+/** The lowest occupied voxel that a body meets in a column; nothing if there is none. */
+std::optional<HeightRange> occupiedVoxel(VoxelLookup& voxels, double resolution,
+                                         const SegmentColumn& column, const HeightRange& body)
+{
+  const auto begin = static_cast<std::int32_t>(std::floor((body.low + kHeightSlack) / resolution));
+  const auto end = static_cast<std::int32_t>(std::ceil((body.high - kHeightSlack) / resolution));
+  const auto found = voxels.lowestOccupied(column.kx, column.ky, begin, end);
+  if (!found) return std::nullopt;
+  return HeightRange{*found * resolution, (*found + 1) * resolution};
+}
+
+/** What the layers alone say of that. */
+std::optional<HeightRange> outsideFreeRange(const Layers& layers, Robot robot,
+                                            const SegmentColumn& column, const HeightRange& body)
+{
+  const grid::GridFrame& frame = layers.frame();
+  if (!frame.containsKey(column.kx, column.ky)) return std::nullopt;
+  const std::size_t cell = frame.indexOfKey(column.kx, column.ky);
+  const auto floor = static_cast<double>(layers.floor.cells()[cell]);
+  if (std::isnan(floor))
+    return grid::isOccupied(layers.aerial.cells()[cell]) ? std::optional(body) : std::nullopt;
+  if (body.low < floor - kHeightSlack) return HeightRange{body.low, floor};
+  const auto ceiling = static_cast<double>(layers.ceiling.cells()[cell]);
+  // a ground robot stands on the column's own floor, over which there is room for it
+  if (robot == Robot::Aerial && body.high > ceiling + kHeightSlack)
+    return HeightRange{ceiling, body.high};
+  return std::nullopt;
+}
+
+/** Calls visit(index of its end, begin, end) for each piece between points that can be reached. */
+template <class Visit>
+void forEachPiece(const LiftedPath& path, const Visit& visit)
+{
+  for (std::size_t i = 1; i < path.points.size(); ++i)
+    if (path.points[i - 1].problem == Infeasibility::None &&
+        path.points[i].problem == Infeasibility::None)
+      visit(i, path.points[i - 1].position, path.points[i].position);
+}
+
+}  // namespace
+
+std::string PieceProblem::inWords() const
+{
+  char text[240];
+  if (kind == Kind::Occupied)
+    std::snprintf(text, sizeof(text),
+                  "at (%.2f, %.2f): the straight way between two points meets something occupied "
+                  "between the heights of %.2f m and %.2f m",
+                  place.x, place.y, from, to);
+  else
+    std::snprintf(text, sizeof(text),
+                  "at (%.2f, %.2f): the %s from %.2f m to %.2f m within %.2f m, more than a ground "
+                  "robot can, max(maxStep, a voxel, maxSlope x distance) = %.2f m",
+                  place.x, place.y,
+                  kind == Kind::FloorStep ? (to > from ? "floor rises" : "floor drops")
+                                          : (to > from ? "path climbs" : "path descends"),
+                  from, to, distance, limit);
+  return text;
+}
+
+PieceCheck::PieceCheck(const Layers& layers, const freespace::ConversionParams& conversion,
+                       const LiftParams& params, const voxel::VoxelSource* voxels)
+    : m_layers(layers),
+      m_minClearance(conversion.minClearance),
+      m_params(params),
+      m_voxels(voxels),
+      m_limit(conversion, layers.frame().resolution)
+{
+}
+
+std::vector<PieceProblem> PieceCheck::problems(const LiftedPath& path) const
+{
+  std::vector<PieceProblem> found;
+  if (m_params.robot == Robot::Ground)
+  {
+    addSteps(path, Kind::FloorStep, found);
+    addSteps(path, Kind::HeightStep, found);
+  }
+  addCrossings(path, found);
+  return found;
+}
+
+void PieceCheck::addSteps(const LiftedPath& path, Kind kind, std::vector<PieceProblem>& found) const
+{
+  const auto heightAt = [&](const TPoint3D& at)
+  { return kind == Kind::FloorStep ? floorBelow(m_layers, at) : at.z; };
+  forEachPiece(path,
+               [&](std::size_t index, const TPoint3D& from, const TPoint3D& to)
+               {
+                 const double distance = std::hypot(to.x - from.x, to.y - from.y);
+                 const double before = heightAt(from), behind = heightAt(to);
+                 if (m_limit.forbids(behind - before, distance))
+                   found.push_back(
+                       {kind, index, {to.x, to.y}, before, behind, distance, m_limit.at(distance)});
+               });
+}
+
+void PieceCheck::addCrossings(const LiftedPath& path, std::vector<PieceProblem>& found) const
+{
+  const bool ground = m_params.robot == Robot::Ground;
+  // from the robot's lowest to its highest part that must be clear, over the path
+  const HeightRange body = ground ? HeightRange{m_limit.least() - m_params.heightOffset,
+                                                m_minClearance - m_params.heightOffset}
+                                  : HeightRange{0, 0};
+  if (body.low > body.high) return;  // a robot no higher than what it climbs
+  const double resolution = m_layers.frame().resolution;
+  std::optional<VoxelLookup> voxels;
+  if (m_voxels) voxels.emplace(*m_voxels);
+  const auto hitIn = [&](const SegmentColumn& column)
+  {
+    const HeightRange swept{std::min(column.from.z, column.to.z) + body.low,
+                            std::max(column.from.z, column.to.z) + body.high};
+    return voxels ? occupiedVoxel(*voxels, resolution, column, swept)
+                  : outsideFreeRange(m_layers, m_params.robot, column, swept);
+  };
+  forEachPiece(
+      path,
+      [&](std::size_t index, const TPoint3D& from, const TPoint3D& to)
+      {
+        for (const SegmentColumn& column : columnsOf(from, to, resolution))
+          if (const auto hit = hitIn(column))
+          {
+            const TPoint3D at = (column.from + column.to) * 0.5;
+            found.push_back({Kind::Occupied, index, {at.x, at.y}, hit->low, hit->high, 0, 0});
+            return;
+          }
+      });
+}
+
+}  // namespace mrpt_mapconv::path

@@ -1,0 +1,134 @@
+// Straight pieces between the points of a path, by hand.
+#include <gtest/gtest.h>
+#include <mrpt_mapconv/path/PieceCheck.h>
+
+#include "FlatLayers.h"
+#include "support/HandMap.h"
+
+namespace
+{
+using namespace mrpt_mapconv;
+using namespace mrpt_mapconv::path;
+using Kind = PieceProblem::Kind;
+using mrpt::math::TPoint3D;
+
+LiftedPath pathOf(const std::vector<TPoint3D>& points)
+{
+  LiftedPath path;
+  for (const TPoint3D& position : points)
+  {
+    path.points.emplace_back();
+    path.points.back().position = position;
+  }
+  return path;
+}
+
+/** What is wrong on flat layers of 0.25 m cells, 3 m high. */
+std::vector<PieceProblem> problems(const freespace::Layers& layers, const LiftParams& params,
+                                   const std::vector<TPoint3D>& points)
+{
+  return PieceCheck(layers, {}, params, nullptr).problems(pathOf(points));
+}
+
+TEST(StepLimit, IsTheLargestOfStepVoxelAndSlope)
+{
+  freespace::ConversionParams conversion;
+  conversion.maxSlope = 2;
+  EXPECT_DOUBLE_EQ(StepLimit(conversion, 0.1).at(0.04), 0.1);
+  EXPECT_DOUBLE_EQ(StepLimit(conversion, 0.1).at(0.1), 0.2);
+  conversion.maxStep = 0.3;
+  EXPECT_DOUBLE_EQ(StepLimit(conversion, 0.1).at(0.1), 0.3);
+  EXPECT_FALSE(StepLimit(conversion, 0.1).forbids(-0.3, 0.1));
+  EXPECT_TRUE(StepLimit(conversion, 0.1).forbids(-0.31, 0.1));
+}
+
+TEST(PieceCheck, AFloorsStepComesBeforeThatOfTheHeights)
+{
+  auto layers = test::flatLayers();
+  layers.floor.at(4, 4) = 1;
+  const auto found = problems(layers, test::ground(0, 0),
+                              {{0.625, 1.125, 0}, {0.875, 1.125, 1}, {1.125, 1.125, 1}});
+  ASSERT_EQ(found.size(), 2u);
+  EXPECT_EQ(found[0].kind, Kind::FloorStep);
+  EXPECT_EQ(found[0].index, 2u);
+  EXPECT_EQ(found[0].inWords(),
+            "at (1.12, 1.12): the floor rises from 0.00 m to 1.00 m within 0.25 m, more than a "
+            "ground robot can, max(maxStep, a voxel, maxSlope x distance) = 0.50 m");
+  EXPECT_EQ(found[1].kind, Kind::HeightStep);
+  EXPECT_EQ(found[1].index, 1u);
+}
+
+TEST(PieceCheck, AnAerialRobotMayClimb)
+{
+  EXPECT_TRUE(
+      problems(test::flatLayers(), test::sphere(1), {{0.6, 1.1, 0.5}, {0.7, 1.1, 2.5}}).empty());
+}
+
+TEST(PieceCheck, AWallsCornerIsNotCut)
+{
+  auto layers = test::flatLayers();
+  test::block(layers, 4, 4, 1.0f);
+  const std::vector<TPoint3D> around{{0.9, 1.1, 0.5}, {1.15, 1.35, 0.5}};  // over cell (4, 4)
+  for (const LiftParams& params : {test::ground(0.5, 0), test::sphere(0.5)})
+  {
+    const auto found = problems(layers, params, around);
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_EQ(found[0].kind, Kind::Occupied);
+    EXPECT_NEAR(found[0].place.x, 1.025, 1e-9);
+    EXPECT_NEAR(found[0].place.y, 1.225, 1e-9);
+    // exactly through the corner is no crossing
+    EXPECT_TRUE(problems(layers, params, {{0.875, 1.125, 0.5}, {1.125, 0.875, 0.5}}).empty());
+  }
+}
+
+TEST(PieceCheck, WithoutAVoxelMapFloorAndCeilingStandForIt)
+{
+  auto layers = test::flatLayers();
+  layers.floor.at(4, 4) = 1;
+  layers.ceiling.at(4, 4) = 2;
+  const auto flies = [&](double z) {
+    return problems(layers, test::sphere(0), {{0.9, 1.1, z}, {1.2, 1.1, z}}).empty();
+  };
+  EXPECT_FALSE(flies(0.9));
+  EXPECT_TRUE(flies(1));
+  EXPECT_TRUE(flies(2));
+  EXPECT_FALSE(flies(2.1));
+}
+
+TEST(PieceCheck, AGroundRobotIsAsHighAsMinClearanceAndClimbsAVoxel)
+{
+  const auto hits = [](int kz, double heightOffset, freespace::Robot robot)
+  {
+    test::HandMap map(0.1);
+    for (int kx = 0; kx < 5; ++kx) map.free(kx, 0, 0, 15);
+    map.occupied(2, 0, kz, kz + 1);
+    const freespace::ConversionParams conversion;
+    LiftParams params;
+    params.robot = robot;
+    params.heightOffset = heightOffset;
+    const auto path = pathOf({{0.05, 0.05, heightOffset}, {0.45, 0.05, heightOffset}});
+    for (const PieceProblem& problem :
+         PieceCheck(map.convert(conversion), conversion, params, &map.source()).problems(path))
+      if (problem.kind == Kind::Occupied) return true;
+    return false;
+  };
+  using freespace::Robot;
+  EXPECT_FALSE(hits(0, 0, Robot::Ground));
+  EXPECT_TRUE(hits(1, 0, Robot::Ground));
+  EXPECT_TRUE(hits(9, 0, Robot::Ground));
+  EXPECT_FALSE(hits(10, 0, Robot::Ground));
+  EXPECT_TRUE(hits(1, 0.35, Robot::Ground)) << "its body begins below the path";
+  EXPECT_FALSE(hits(10, 0.35, Robot::Ground));
+  EXPECT_FALSE(hits(2, 0.35, Robot::Aerial));
+  EXPECT_TRUE(hits(3, 0.35, Robot::Aerial));
+}
+
+TEST(LiftedPath, HasALengthIn3DAndOneIn2D)
+{
+  const auto path = pathOf({{0, 0, 0}, {3, 0, 4}, {3, 2, 4}});
+  EXPECT_DOUBLE_EQ(path.length(), 7);
+  EXPECT_DOUBLE_EQ(path.length2D(), 5);
+  EXPECT_EQ(pathOf({}).length(), 0);
+}
+
+}  // namespace
