@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "command/Command.h"
+#include "input/InputFile.h"
 #include "input/PathFile.h"
 #include "input/PathOptions.h"
 #include "output/Console.h"
@@ -52,23 +53,24 @@ int lift(const LiftOptions& options)
   const MapFolder map(options.dir);
   const auto params =
       liftParamsOf(options, map, std::min(kSafetyRadius, map.params().minClearance / 2));
-  const auto path = lifted(path2D, map, params, options.pathFile);
+  const auto path = lifted(path2D, map, params, shownName(options.pathFile));
   if (const auto problem = path.firstProblem())
   {
     const auto bad =
         std::count_if(path.points.begin(), path.points.end(),
                       [](const auto& point) { return point.problem != path::Infeasibility::None; });
-    throw std::runtime_error(options.pathFile + ": " + path.describeProblem(*problem) + " (" +
-                             std::to_string(bad) + " of " + std::to_string(path.points.size()) +
+    throw std::runtime_error(shownName(options.pathFile) + ": " + path.describeProblem(*problem) +
+                             " (" + std::to_string(bad) + " of " +
+                             std::to_string(path.points.size()) +
                              " points cannot be reached; nothing written)");
   }
   files::AtomicFile file(options.outputFile);
   files::writeFile(file.stagingPath(), pathCsv(path));
   file.commit();
   JsonObject json = pathJson(path);
-  result.print(options.json
-                   ? json.add("output", options.outputFile).text() + "\n"
-                   : options.pathFile + " -> " + options.outputFile + "\n" + pathText(path));
+  result.print(options.json ? json.add("output", options.outputFile).text() + "\n"
+                            : shownName(options.pathFile) + " -> " + options.outputFile + "\n" +
+                                  pathText(path));
   return 0;
 }
 }  // namespace
@@ -79,7 +81,9 @@ std::pair<CLI::App*, Command> addLift(CLI::App& app)
   auto options = std::make_shared<LiftOptions>();
   addPathOptions(*sub, *options, "0.3 or that");
   sub->add_option("PATH", options->pathFile,
-                  "CSV file with a point a line: x,y [m], or a header that names the columns")
+                  std::string("CSV file with a point a line: x,y [m], or a header that names the "
+                              "columns") +
+                      kOrStdin)
       ->required()
       ->type_name("FILE.csv");
   sub->footer(
