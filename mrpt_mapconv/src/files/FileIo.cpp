@@ -56,9 +56,9 @@ void throwFileError(const std::string& action, const std::string& path, int syst
 
 void throwUnwritten(const std::string& path, const std::string& what)
 {
-  constexpr std::size_t kPiece = std::size_t(1) << 16U, kMostPieces = 64;
+  constexpr std::size_t kPiece = std::size_t(1) << 16U, kMostPieces = 1024;
   const std::string piece(kPiece, '\0');
-  Descriptor file(path, O_WRONLY | O_APPEND | O_CLOEXEC);
+  Descriptor file(path, O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC);
   if (file.get() < 0) throwFileError("write", path, errno);
   for (std::size_t i = 0; i < kMostPieces; ++i) writeAll(file.get(), piece, path);
   if (syncFails(file.get()) || file.close() != 0) throwFileError("write", path, errno);

@@ -112,7 +112,7 @@ void requireFile(const std::string& path)
 /** Where MRPT looks for a log's external files. */
 std::vector<fs::path> foldersBeside(const std::string& log)
 {
-  const fs::path file = fs::absolute(log).lexically_normal();
+  const fs::path file = fs::absolute(log);
   const std::string name = file.stem().string();
   std::vector<fs::path> folders;
   for (const auto& folder :

@@ -1,6 +1,5 @@
 #include <mrpt_mapconv/files/FileIo.h>
 #include <mrpt_mapconv/files/ForeignKind.h>
-#include <mrpt_mapconv/files/InputStream.h>
 #include <mrpt_mapconv/params/Printable.h>
 #include <mrpt_mapconv/voxel/OctreeFile.h>
 #include <octomap/ColorOcTree.h>

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <iosfwd>
+#include <mrpt_mapconv/files/InputStream.h>
+
 #include <memory>
 #include <string>
 #include <string_view>
@@ -10,11 +11,6 @@ namespace octomap
 class AbstractOcTree;
 class AbstractOccupancyOcTree;
 }  // namespace octomap
-
-namespace mrpt_mapconv::files
-{
-class InputStream;
-}
 
 namespace mrpt_mapconv::voxel
 {
