@@ -14,6 +14,7 @@
 
 #include "command/Command.h"
 #include "input/IniFile.h"
+#include "input/InputFile.h"
 #include "input/InputOptions.h"
 #include "output/Console.h"
 #include "output/Job.h"
@@ -114,7 +115,7 @@ int convert(const ConvertOptions& options)
   job.write(options.outputDir, [&](files::OutputDir& out)
             { writeOutputs(layers, params, input, out, job.progress()); });
 
-  const SummaryHead head{options.input.file, input.description(), options.outputDir,
+  const SummaryHead head{shownName(options.input.file), input.description(), options.outputDir,
                          layers.frame()};
   job.print(options.json ? jsonSummary(head, counts, params, job.seconds())
                          : textSummary(head, counts, params, job.seconds()));

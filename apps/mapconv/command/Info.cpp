@@ -1,6 +1,6 @@
 #include <CLI/CLI.hpp>
-#include <filesystem>
 #include <memory>
+#include <utility>
 
 #include "command/Command.h"
 #include "input/InputFile.h"
@@ -23,20 +23,20 @@ int info(const InfoOptions& options)
   ResultOutput result;
   InfoReport report;
   report.json.add("file", options.file);
-  report.line("file", options.file);
-  std::error_code error;
-  if (const auto bytes = std::filesystem::file_size(options.file, error); !error)
-  {
-    report.json.add("bytes", bytes);
-    report.line("bytes", std::to_string(bytes));
-  }
+  report.line("file", shownName(options.file));
   {
     Progress progress;
-    progress.stage("reading " + options.file);
-    if (kindOf(options.file) == FileKind::Octree)
-      describeOctreeFile(options.file, report);
+    progress.stage("reading " + shownName(options.file));
+    auto stream = openInput(options.file);
+    if (const auto bytes = stream.fileSize())
+    {
+      report.json.add("bytes", *bytes);
+      report.line("bytes", std::to_string(*bytes));
+    }
+    if (isOctree(stream))
+      describeOctreeFile(stream, report);
     else
-      describeObjectFile(options.file, report);
+      describeObjectFile(std::move(stream), report);
   }
   result.print(options.json ? report.json.text() + "\n" : report.text());
   return 0;
@@ -47,7 +47,8 @@ std::pair<CLI::App*, Command> addInfo(CLI::App& app)
 {
   CLI::App* sub = app.add_subcommand("info", "Says what a file holds");
   auto options = std::make_shared<InfoOptions>();
-  sub->add_option("FILE", options->file, "an octree, rawlog, simplemap, gridmap or other MRPT map")
+  sub->add_option("FILE", options->file,
+                  std::string("an octree, rawlog, simplemap, gridmap or other MRPT map") + kOrStdin)
       ->required()
       ->type_name("");
   sub->add_flag("--json", options->json, "print one JSON object");

@@ -15,6 +15,7 @@
 #include <stdexcept>
 
 #include "command/Command.h"
+#include "input/InputFile.h"
 #include "input/InputOptions.h"
 #include "input/ScanFile.h"
 #include "input/ScanInserter.h"
@@ -197,15 +198,17 @@ int insert(const InsertOptions& options)
       job.stage("load", [&] { return read3DScans(options.file, options.log, job.progress()); });
   requireStructure(settings);
   ScanInserter inserter(settings);
-  job.stage("insert", "inserting the scans of " + options.file,
-            [&] { insertAll(file.scans, options.file, inserter, job.progress()); });
+  const std::string name = shownName(options.file);
+  job.stage("insert", "inserting the scans of " + name,
+            [&] { insertAll(file.scans, name, inserter, job.progress()); });
   warnOf2D(inserter.figures());
-  refuseCeilings(inserter.figures(), options.file);
-  const Result map = resultOf(inserter, options.file);
+  refuseCeilings(inserter.figures(), name);
+  const Result map = resultOf(inserter, name);
   warnOfSkips(inserter.figures());
   job.write(options.outputDir, [&](files::OutputDir& out) { writeOutputs(map, inserter, out); });
 
-  const SummaryHead head{options.file, file.description, options.outputDir, map.occupancy.frame()};
+  const SummaryHead head{shownName(options.file), file.description, options.outputDir,
+                         map.occupancy.frame()};
   job.print(options.json ? jsonSummary(head, map, inserter, job.seconds())
                          : textSummary(head, map, inserter, job.seconds()));
   return 0;
@@ -242,7 +245,8 @@ std::pair<CLI::App*, Command> addInsert(CLI::App& app)
   CLI::App* sub = app.add_subcommand(
       "insert", "Makes a 2D occupancy map of 3D scans: whole shapes, reflections cut");
   auto options = std::make_shared<InsertOptions>();
-  sub->add_option("INPUT", options->file, "a .rawlog or .simplemap with 3D scans")
+  sub->add_option("INPUT", options->file,
+                  std::string("a .rawlog or .simplemap with 3D scans") + kOrStdin)
       ->required()
       ->type_name("");
   addOutputOptions(*sub, options->outputDir, options->json);

@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "command/Command.h"
+#include "input/InputFile.h"
 #include "input/PathFile.h"
 #include "input/PathOptions.h"
 #include "output/Console.h"
@@ -74,15 +75,15 @@ int lift(const LiftOptions& options)
   const MapFolder map(options.dir);
   const auto params =
       liftParamsOf(options, map, std::min(kSafetyRadius, map.params().minClearance / 2));
-  const auto path = lifted(path2D, map, params, options.pathFile);
-  checkPath(path, map, params, options.pathFile);
+  const auto path = lifted(path2D, map, params, shownName(options.pathFile));
+  checkPath(path, map, params, shownName(options.pathFile));
   files::AtomicFile file(options.outputFile);
   files::writeFile(file.stagingPath(), pathCsv(path));
   file.commit();
   JsonObject json = pathJson(path);
-  result.print(options.json
-                   ? json.add("output", options.outputFile).text() + "\n"
-                   : options.pathFile + " -> " + options.outputFile + "\n" + pathText(path));
+  result.print(options.json ? json.add("output", options.outputFile).text() + "\n"
+                            : shownName(options.pathFile) + " -> " + options.outputFile + "\n" +
+                                  pathText(path));
   return 0;
 }
 }  // namespace
@@ -93,7 +94,9 @@ std::pair<CLI::App*, Command> addLift(CLI::App& app)
   auto options = std::make_shared<LiftOptions>();
   addPathOptions(*sub, *options, "0.3 or that");
   sub->add_option("PATH", options->pathFile,
-                  "CSV file with a point a line: x,y [m], or a header that names the columns")
+                  std::string("CSV file with a point a line: x,y [m], or a header that names the "
+                              "columns") +
+                      kOrStdin)
       ->required()
       ->type_name("FILE.csv");
   sub->footer(

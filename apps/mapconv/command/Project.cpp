@@ -7,6 +7,7 @@
 
 #include "command/Command.h"
 #include "input/IniFile.h"
+#include "input/InputFile.h"
 #include "input/InputOptions.h"
 #include "output/Console.h"
 #include "output/Job.h"
@@ -36,7 +37,8 @@ void writeOutputs(const grid::Layer<float>& layer, const ProjectOptions& options
 std::string summary(const ProjectOptions& options, const InputMap& input,
                     const grid::Layer<float>& layer, const Seconds& seconds)
 {
-  const SummaryHead head{options.input.file, input.description(), options.outputDir, layer.frame()};
+  const SummaryHead head{shownName(options.input.file), input.description(), options.outputDir,
+                         layer.frame()};
   const OccupancyCounts counts = countsOf(layer);
   if (!options.json)
     return headText(head) + countsText("projection", counts) + secondsText(seconds);

@@ -1,43 +1,30 @@
 #include "input/InputFile.h"
 
 #include <mrpt_mapconv/params/Text.h>
+#include <mrpt_mapconv/voxel/OctreeFile.h>
 
 #include <filesystem>
-#include <fstream>
 
 namespace mapconv
 {
-namespace
-{
-using mrpt_mapconv::params::lowerCase;
+using namespace mrpt_mapconv;
+using files::InputStream;
 
-std::string extensionOf(const std::filesystem::path& path)
+InputStream openInput(const std::string& path)
 {
-  const std::string extension = lowerCase(path.extension().string());
-  return extension == ".gz" ? lowerCase(path.stem().extension().string()) : extension;
+  return path == "-" ? InputStream::standardInput() : InputStream(path);
 }
 
-/** Both of OctoMap's formats begin with a line like "# Octomap OcTree binary file". */
-bool beginsAsOctree(const std::string& path)
-{
-  // Looking into a pipe would take its first bytes away.
-  if (std::error_code ignored; !std::filesystem::is_regular_file(path, ignored)) return false;
-  const std::string begin = "# Octomap OcTree";
-  std::string first(begin.size(), '\0');
-  std::ifstream(path, std::ios::binary)
-      .read(first.data(), static_cast<std::streamsize>(begin.size()));
-  return first == begin;
-}
-}  // namespace
+std::string shownName(const std::string& path) { return path == "-" ? "stdin" : path; }
 
-FileKind kindOf(const std::string& path)
+bool isOctree(InputStream& stream)
 {
-  if (beginsAsOctree(path)) return FileKind::Octree;
-  const std::string extension = extensionOf(path);
-  if (extension == ".bt" || extension == ".ot") return FileKind::Octree;
-  if (extension == ".simplemap") return FileKind::SimpleMap;
-  if (extension == ".rawlog") return FileKind::Rawlog;
-  return FileKind::Object;
+  if (voxel::beginsAsOctree(stream.preview())) return true;
+  const std::filesystem::path path(stream.name());
+  const std::string ending = params::lowerCase(path.extension().string());
+  const std::string kind =
+      ending == ".gz" ? params::lowerCase(path.stem().extension().string()) : ending;
+  return kind == ".bt" || kind == ".ot";
 }
 
 }  // namespace mapconv

@@ -9,7 +9,7 @@
 #include <optional>
 #include <string>
 
-#include "input/InputFile.h"
+#include "input/ScanFile.h"
 #include "output/Progress.h"
 
 namespace octomap
@@ -23,7 +23,7 @@ namespace mapconv
 /** Which voxel map is wanted. */
 struct InputRequest
 {
-  std::string file;
+  std::string file;                              //!< "-": what is piped in
   std::optional<double> resolution;              //!< of a voxel map that is built from scans [m]
   mrpt_mapconv::observation::RawlogOptions log;  //!< where the poses of a rawlog come from
   mrpt_mapconv::voxel::TVoxelInsertionOptions insertion;  //!< how scans are inserted
@@ -44,9 +44,11 @@ class InputMap
   const std::string& description() const { return m_description; }
 
  private:
-  void readObject(const InputRequest& request, Progress& progress);
-  void readTree(const InputRequest& request);
-  void buildFromScans(FileKind kind, const InputRequest& request, Progress& progress);
+  void readObject(mrpt_mapconv::files::ObjectFile& file, const InputRequest& request,
+                  Progress& progress);
+  void readTree(mrpt_mapconv::files::InputStream& stream, const InputRequest& request);
+  void buildFromScans(mrpt_mapconv::files::ObjectFile& log, LogKind kind,
+                      const InputRequest& request, Progress& progress);
 
   void useTree(const octomap::AbstractOcTree& tree);
 

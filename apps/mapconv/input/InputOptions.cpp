@@ -5,6 +5,8 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 
+#include "input/InputFile.h"
+
 namespace mapconv
 {
 using namespace mrpt_mapconv;
@@ -70,8 +72,9 @@ void addPoseOptions(CLI::App& app, observation::RawlogOptions& options)
 void addInputOptions(CLI::App& app, InputOptions& options)
 {
   app.add_option("INPUT", options.input.file,
-                 "a .bt or .ot of OctoMap, a .simplemap, a .rawlog, or a serialized MRPT map that "
-                 "holds an octomap")
+                 std::string("a .bt or .ot of OctoMap, a .simplemap, a .rawlog, or a serialized "
+                             "MRPT map that holds an octomap") +
+                     kOrStdin)
       ->required()
       ->type_name("");
   addOutputOptions(app, options.outputDir, options.json);

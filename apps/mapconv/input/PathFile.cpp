@@ -1,18 +1,22 @@
 #include "input/PathFile.h"
 
+#include <mrpt_mapconv/files/ForeignKind.h>
+#include <mrpt_mapconv/params/Printable.h>
 #include <mrpt_mapconv/params/Text.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <fstream>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
 
+#include "input/InputFile.h"
+
 namespace mapconv
 {
+namespace files = mrpt_mapconv::files;
 namespace params = mrpt_mapconv::params;
 
 namespace
@@ -100,9 +104,8 @@ class PathReader
  private:
   [[noreturn]] void fail(const std::string& line, const std::string& right) const
   {
-    constexpr std::size_t kShown = 80;
     throw std::runtime_error(m_file + ", line " + std::to_string(m_number) + ": '" +
-                             line.substr(0, kShown) + "' " + right);
+                             params::printable(line, 80) + "' " + right);
   }
 
   std::string m_file;
@@ -114,14 +117,15 @@ class PathReader
 
 std::vector<mrpt::math::TPoint2D> readPath2D(const std::string& file)
 {
-  std::ifstream in(file);
-  if (!in)
-    throw std::runtime_error("cannot read '" + file +
-                             "': " + std::generic_category().message(errno));
-  PathReader reader(file);
+  auto stream = openInput(file);
+  // by its first bytes alone: of the names that texts of points have, this is one
+  const auto kind = files::foreignKindOf({"", stream.preview()});
+  if (!kind.empty()) throw std::runtime_error(stream.name() + ": " + kind);
+  constexpr std::size_t kMost = std::size_t(1) << 28U;
+  std::istringstream in(stream.readUpTo(kMost));
+  PathReader reader(stream.name());
   for (std::string line; std::getline(in, line);) reader.read(line);
-  if (in.bad()) throw std::runtime_error("cannot read '" + file + "' to its end");
-  if (reader.path().empty()) throw std::runtime_error(file + ": it holds no point");
+  if (reader.path().empty()) throw std::runtime_error(stream.name() + ": it holds no point");
   return reader.path();
 }
 

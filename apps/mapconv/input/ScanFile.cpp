@@ -4,12 +4,14 @@
 #include <mrpt/obs/CActionCollection.h>
 #include <mrpt/obs/CRawlog.h>
 #include <mrpt/obs/CSensoryFrame.h>
-#include <mrpt_mapconv/files/ObjectFile.h>
 #include <mrpt_mapconv/observation/ObservationPoints.h>
+#include <mrpt_mapconv/voxel/OctreeFile.h>
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
+#include "input/InputFile.h"
 #include "output/Console.h"
 
 namespace mapconv
@@ -33,26 +35,29 @@ std::string describe(const std::string& kind, const std::vector<PosedObservation
   return kind + " (" + std::to_string(scans.size()) + (scans.size() == 1 ? " scan)" : " scans)");
 }
 
-/** Looks into a file whose name does not tell what it is. */
-FileKind logKindIn(const std::string& path)
+files::ObjectFile openLog(const std::string& path)
 {
-  const FileKind named = kindOf(path);
-  if (named == FileKind::Octree)
-    throw std::runtime_error(path +
+  files::InputStream stream = openInput(path);
+  if (voxel::beginsAsOctree(stream.preview()))
+    throw std::runtime_error(stream.name() +
                              ": holds no scans, but an octree; a .rawlog or .simplemap does");
-  if (named != FileKind::Object) return named;
-  const auto object = files::ObjectFile(path).next();
-  if (!object) throw std::runtime_error(path + ": holds no scans, but no object at all");
+  return files::ObjectFile(std::move(stream));
+}
+
+LogKind logKindIn(files::ObjectFile& file)
+{
+  const auto object = file.peek();
+  if (!object) throw std::runtime_error(file.path() + ": holds no scans, but no object at all");
   if (const auto kind = logKindOf(*object)) return *kind;
-  throw std::runtime_error(path + ": holds no scans, but a " +
+  throw std::runtime_error(file.path() + ": holds no scans, but a " +
                            object->GetRuntimeClass()->className);
 }
 }  // namespace
 
-std::optional<FileKind> logKindOf(const CSerializable& object)
+std::optional<LogKind> logKindOf(const CSerializable& object)
 {
-  if (isRawlogEntry(object)) return FileKind::Rawlog;
-  if (dynamic_cast<const mrpt::maps::CSimpleMap*>(&object)) return FileKind::SimpleMap;
+  if (isRawlogEntry(object)) return LogKind::Rawlog;
+  if (dynamic_cast<const mrpt::maps::CSimpleMap*>(&object)) return LogKind::SimpleMap;
   return std::nullopt;
 }
 
@@ -72,40 +77,41 @@ bool has3DScan(const std::vector<PosedObservation>& scans)
                      { return observation::is3DScan(*s.observation); });
 }
 
-ScanFile readLog(const std::string& path, FileKind kind, const observation::RawlogOptions& options)
+ScanFile readLog(files::ObjectFile& log, LogKind kind, const observation::RawlogOptions& options)
 {
-  const ConsoleLog log;
+  const ConsoleLog console;
   ScanFile file;
-  if (kind == FileKind::Rawlog)
+  if (kind == LogKind::Rawlog)
   {
-    file.scans = observation::readRawlog(path, options, &log);
+    file.scans = observation::readRawlog(log, options, &console);
     file.description = describe("rawlog", file.scans);
     return file;
   }
-  warnOfRawlogOptions(options, path);
-  file.scans = observation::readSimpleMap(path, &log);
+  warnOfRawlogOptions(options, log.path());
+  file.scans = observation::readSimpleMap(log, &console);
   file.description = describe("simplemap", file.scans);
   return file;
 }
 
 }  // namespace
 
-ScanFile readScans(const std::string& path, FileKind kind,
-                   const observation::RawlogOptions& options)
+ScanFile readScans(files::ObjectFile& log, LogKind kind, const observation::RawlogOptions& options)
 {
-  ScanFile file = readLog(path, kind, options);
+  ScanFile file = readLog(log, kind, options);
   if (!has3DScan(file.scans))
-    printWarning(path + ": all of its scans are 2D, so only what lies at their heights is known");
+    printWarning(log.path() +
+                 ": all of its scans are 2D, so only what lies at their heights is known");
   return file;
 }
 
 ScanFile read3DScans(const std::string& path, const observation::RawlogOptions& options,
                      Progress& progress)
 {
-  progress.stage("reading " + path);
-  ScanFile file = readLog(path, logKindIn(path), options);
+  progress.stage("reading " + shownName(path));
+  files::ObjectFile log = openLog(path);
+  ScanFile file = readLog(log, logKindIn(log), options);
   if (!has3DScan(file.scans))
-    throw std::runtime_error(path + ": none of its " + std::to_string(file.scans.size()) +
+    throw std::runtime_error(log.path() + ": none of its " + std::to_string(file.scans.size()) +
                              " scans is a 3D scan; mapconv convert takes 2D scans, too");
   return file;
 }

@@ -1,17 +1,24 @@
 #pragma once
 
 #include <mrpt/serialization/CSerializable.h>
+#include <mrpt_mapconv/files/ObjectFile.h>
 #include <mrpt_mapconv/observation/ScanLog.h>
 
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "input/InputFile.h"
 #include "output/Progress.h"
 
 namespace mapconv
 {
+/** What scans are kept in. */
+enum class LogKind
+{
+  SimpleMap,
+  Rawlog
+};
+
 /** The scans of a rawlog or simplemap. */
 struct ScanFile
 {
@@ -20,19 +27,19 @@ struct ScanFile
 };
 
 /** Which of both an object is the (first) part of; nothing if it is no part of either. */
-std::optional<FileKind> logKindOf(const mrpt::serialization::CSerializable& object);
+std::optional<LogKind> logKindOf(const mrpt::serialization::CSerializable& object);
 
 /** Warns of options that only rawlogs know, for a file that is none. */
 void warnOfRawlogOptions(const mrpt_mapconv::observation::RawlogOptions& options,
                          const std::string& path);
 
 /** Reads one or the other, warning of what is left out and of options where they have no effect.
- * \param kind Rawlog or SimpleMap
+ * \param log at its first entry
  * \exception std::runtime_error in one line naming the file and what is wrong with it */
-ScanFile readScans(const std::string& path, FileKind kind,
+ScanFile readScans(mrpt_mapconv::files::ObjectFile& log, LogKind kind,
                    const mrpt_mapconv::observation::RawlogOptions& options);
 
-/** The same for a file of any name that has to hold 3D scans.
+/** The same for a file that has to hold 3D scans. \param path "-": what is piped in
  * \exception std::runtime_error likewise, also if it holds something else or
  * only 2D scans */
 ScanFile read3DScans(const std::string& path,

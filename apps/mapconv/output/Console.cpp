@@ -2,9 +2,9 @@
 
 #include <fcntl.h>
 #include <mrpt_mapconv/files/FileIo.h>
+#include <mrpt_mapconv/params/Printable.h>
 #include <unistd.h>
 
-#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <iostream>
@@ -13,6 +13,8 @@
 
 namespace mapconv
 {
+namespace params = mrpt_mapconv::params;
+
 namespace
 {
 /** Where our messages go. As the descriptors it stands for, there is one for the whole process. */
@@ -50,11 +52,22 @@ void giveBack(int kept, int file)
 void printLine(const std::string& kind, std::string text)
 {
   while (!text.empty() && text.back() == '\n') text.pop_back();
-  std::replace_if(
-      text.begin(), text.end(), [](unsigned char c) { return c < ' '; }, ' ');
+  constexpr std::size_t kLongest = 4000;  // of bytes; names of files may have almost as many
   // A progress bar may stand on the line; it is drawn again below.
   const std::string clear = messagesOnTerminal() ? "\r\033[K" : "";
-  writeMessage(clear + "mapconv: " + kind + ": " + text + "\n");
+  writeMessage(clear + "mapconv: " + kind + ": " + params::printable(text, kLongest) + "\n");
+}
+
+/** Line by line; texts from files may hold anything. */
+std::string printableLines(std::string_view text)
+{
+  std::string lines;
+  for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n'))
+  {
+    lines += params::printable(text.substr(0, end)) + "\n";
+    text.remove_prefix(end + 1);
+  }
+  return lines + params::printable(text);
 }
 }  // namespace
 
@@ -102,7 +115,8 @@ ResultOutput::~ResultOutput()
 
 void ResultOutput::print(const std::string& text)
 {
-  for (std::string_view left = text; !left.empty();)
+  const std::string shown = printableLines(text);
+  for (std::string_view left = shown; !left.empty();)
   {
     const ssize_t count = ::write(m_stdout, left.data(), left.size());
     if (count < 0 && errno == EINTR) continue;

@@ -6,7 +6,7 @@
 
 namespace mapconv
 {
-/** Prints "mapconv: error: …" as one line on stderr. */
+/** Prints "mapconv: error: …" as one line on stderr, in which everything can be shown. */
 void printError(const std::string& text);
 /** Prints "mapconv: warning: …" as one line on stderr. */
 void printWarning(const std::string& text);
@@ -38,7 +38,7 @@ class ResultOutput
   ResultOutput(const ResultOutput&) = delete;
   ResultOutput& operator=(const ResultOutput&) = delete;
 
-  /** Prints on the real stdout.
+  /** Prints on the real stdout; what a terminal would not show stands there as \xNN.
    * \exception std::runtime_error with the system's reason, e.g. on a full disk */
   void print(const std::string& text);
 

@@ -16,6 +16,7 @@
 #include <optional>
 #include <set>
 #include <stdexcept>
+#include <utility>
 #include <variant>
 
 #include "output/InfoOctree.h"
@@ -187,9 +188,9 @@ void describeLog(const LogCensus& census, InfoReport& report)
 }
 }  // namespace
 
-void describeObjectFile(const std::string& path, InfoReport& report)
+void describeObjectFile(mrpt_mapconv::files::InputStream stream, InfoReport& report)
 {
-  mrpt_mapconv::files::ObjectFile file(path);
+  mrpt_mapconv::files::ObjectFile file(std::move(stream));
   LogCensus census;
   CSerializable::Ptr first;  // of those that are no entries of a log
   std::size_t others = 0;
@@ -201,7 +202,7 @@ void describeObjectFile(const std::string& path, InfoReport& report)
   else if (first)
     describeObject(*first, report);
   else
-    throw std::runtime_error(path + ": holds no object");
+    throw std::runtime_error(file.path() + ": holds no object");
   const std::size_t undescribed = census.empty() ? others - 1 : others;
   if (undescribed > 0) report.line("others", std::to_string(undescribed) + " more objects");
 }

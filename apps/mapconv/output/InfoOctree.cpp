@@ -68,9 +68,9 @@ void describeOctree(const octomap::AbstractOcTree& tree, InfoReport& report)
   report.line("memory", mrpt::format("%.1f MB", static_cast<double>(tree.memoryUsage()) / 1e6));
 }
 
-void describeOctreeFile(const std::string& path, InfoReport& report)
+void describeOctreeFile(mrpt_mapconv::files::InputStream& stream, InfoReport& report)
 {
-  const auto tree = mrpt_mapconv::voxel::readOctreeFile(path);
+  const auto tree = mrpt_mapconv::voxel::readOctree(stream);
   report.json.add("kind", "octree");
   report.line("kind", "OctoMap file");
   describeOctree(*tree, report);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <mrpt_mapconv/files/InputStream.h>
+
 #include <string>
 
 #include "output/Json.h"
@@ -21,8 +23,8 @@ class InfoReport
 };
 
 /** Describes an OctoMap file. */
-void describeOctreeFile(const std::string& path, InfoReport& report);
+void describeOctreeFile(mrpt_mapconv::files::InputStream& stream, InfoReport& report);
 /** Describes a file of MRPT objects: rawlog, simplemap, or maps. */
-void describeObjectFile(const std::string& path, InfoReport& report);
+void describeObjectFile(mrpt_mapconv::files::InputStream stream, InfoReport& report);
 
 }  // namespace mapconv

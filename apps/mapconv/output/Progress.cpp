@@ -1,6 +1,7 @@
 #include "output/Progress.h"
 
 #include <mrpt/system/progress.h>
+#include <mrpt_mapconv/params/Printable.h>
 
 #include <algorithm>
 
@@ -26,7 +27,7 @@ Progress::~Progress()
 void Progress::stage(const std::string& name)
 {
   const std::lock_guard<std::mutex> lock(m_mutex);
-  m_name = name;
+  m_name = mrpt_mapconv::params::printable(name);
   m_share = -1;
 }
 

@@ -30,6 +30,17 @@ class Descriptor
   int m_fd;
 };
 
+void writeAll(int fd, std::string_view bytes, const std::string& path)
+{
+  while (!bytes.empty())
+  {
+    const ssize_t count = ::write(fd, bytes.data(), bytes.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) throwFileError("write", path, errno);
+    bytes.remove_prefix(static_cast<std::size_t>(count));
+  }
+}
+
 bool syncFails(int fd)
 {
   // Devices and pipes cannot be synchronized and say so; that is no error of the file.
@@ -43,17 +54,22 @@ void throwFileError(const std::string& action, const std::string& path, int syst
                            "': " + std::generic_category().message(systemError));
 }
 
+void throwUnwritten(const std::string& path, const std::string& what)
+{
+  constexpr std::size_t kPiece = std::size_t(1) << 16U, kMostPieces = 1024;
+  const std::string piece(kPiece, '\0');
+  Descriptor file(path, O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC);
+  if (file.get() < 0) throwFileError("write", path, errno);
+  for (std::size_t i = 0; i < kMostPieces; ++i) writeAll(file.get(), piece, path);
+  if (syncFails(file.get()) || file.close() != 0) throwFileError("write", path, errno);
+  throw std::runtime_error("cannot write '" + path + "': " + what);
+}
+
 void writeFile(const std::string& path, std::string_view bytes)
 {
   Descriptor file(path, O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC);
   if (file.get() < 0) throwFileError("write", path, errno);
-  while (!bytes.empty())
-  {
-    const ssize_t count = ::write(file.get(), bytes.data(), bytes.size());
-    if (count < 0 && errno == EINTR) continue;
-    if (count < 0) throwFileError("write", path, errno);
-    bytes.remove_prefix(static_cast<std::size_t>(count));
-  }
+  writeAll(file.get(), bytes, path);
   if (file.close() != 0) throwFileError("write", path, errno);
 }
 

@@ -45,19 +45,16 @@ void ObjectStream::write(const mrpt::serialization::CSerializable& object)
 
 void ObjectStream::write(std::string_view bytes)
 {
-  errno = 0;
   if (bytes.empty() || m_file.Write(bytes.data(), bytes.size()) == bytes.size()) return;
-  files::throwFileError("write", m_path, errno != 0 ? errno : EIO);
+  files::throwUnwritten(m_path, "it is incomplete");
 }
 
 void ObjectStream::finish()
 {
   const auto size = static_cast<std::uint32_t>(m_file.getPosition());
-  errno = 0;
   m_file.close();  // does not say whether it could write the rest
-  const int reason = errno;
   files::checkWritten(m_path);
-  if (sizeAtEnd(m_path) != size) files::throwFileError("write", m_path, reason != 0 ? reason : EIO);
+  if (sizeAtEnd(m_path) != size) files::throwUnwritten(m_path, "it is incomplete");
 }
 
 SimpleMapStream::SimpleMapStream(const std::string& path, std::uint32_t keyFrames)

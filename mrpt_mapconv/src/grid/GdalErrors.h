@@ -20,16 +20,13 @@ class GdalErrors
   GdalErrors(const GdalErrors&) = delete;
   GdalErrors& operator=(const GdalErrors&) = delete;
 
-  /** \exception std::runtime_error "cannot <action> '<path>': <first error>" if there was one */
-  void check(const std::string& action, const std::string& path) const
-  {
-    if (m_failed) raise(action, path);
-  }
-  /** \exception std::runtime_error the same, always */
+  bool any() const { return m_failed; }
+  /** What the first of them says. */
+  std::string first() const { return m_first.empty() ? "GDAL gives no reason" : m_first; }
+  /** \exception std::runtime_error "cannot <action> '<path>': <first error>" */
   [[noreturn]] void raise(const std::string& action, const std::string& path) const
   {
-    throw std::runtime_error("cannot " + action + " '" + path +
-                             "': " + (m_first.empty() ? "GDAL gives no reason" : m_first));
+    throw std::runtime_error("cannot " + action + " '" + path + "': " + first());
   }
 
  private:

@@ -143,13 +143,12 @@ void writeGeoTiff(const std::string& path, const std::vector<StyledLayer>& bands
   files::writeFile(path, {});  // gives the system's own reason where GDAL only says that it failed
   const GdalErrors errors;
   Dataset dataset = createDataset(path, frame, bands.size());
-  if (!dataset || !writeHeader(*dataset, frame, metadata)) errors.raise("write", path);
-  for (std::size_t i = 0; i < bands.size(); ++i)
-    if (!writeBand(*dataset->GetRasterBand(static_cast<int>(i) + 1), bands[i]))
-      errors.raise("write", path);
-  dataset->FlushCache();
+  bool written = dataset && writeHeader(*dataset, frame, metadata);
+  for (std::size_t i = 0; written && i < bands.size(); ++i)
+    written = writeBand(*dataset->GetRasterBand(static_cast<int>(i) + 1), bands[i]);
+  if (dataset) dataset->FlushCache();
   dataset.reset();
-  errors.check("write", path);
+  if (!written || errors.any()) files::throwUnwritten(path, errors.first());
 }
 
 Layer<float> readGeoTiffBand(const std::string& path, const std::string& bandName)

@@ -250,12 +250,13 @@ void writeLayerPng(const std::string& file, const StyledLayer& layer, const Pict
     throw std::invalid_argument("picture '" + file + "': the name must end in .png");
   const mrpt::img::CImage image = drawLayer(layer, path, shown);
   files::writeFile(file, {});  // gives the system's own reason; MRPT only says whether it worked
-  if (!image.saveToFile(file) || !isCompletePng(file))
-  {
-    files::writeFile(file,
-                     std::string(1U << 16U, '\0'));  // most likely the disk is full: let it say so
-    throw std::runtime_error("cannot write '" + file + "': the PNG is incomplete");
-  }
+  image.saveToFile(file);
+  requireCompletePng(file);
+}
+
+void requireCompletePng(const std::string& file)
+{
+  if (!isCompletePng(file)) files::throwUnwritten(file, "the PNG is incomplete");
 }
 
 }  // namespace mrpt_mapconv::grid

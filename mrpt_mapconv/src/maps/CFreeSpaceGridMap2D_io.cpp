@@ -8,7 +8,6 @@
 #include <octomap/OcTree.h>
 
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 
 namespace mrpt_mapconv
@@ -30,9 +29,7 @@ void CFreeSpaceGridMap2D::serializeTo(mrpt::serialization::CArchive& out) const
   model.adoptFrom(*m_octree);
   model.writeToStream(out);
   out << m_octree->getResolution();
-  std::ostringstream octree;
-  m_octree->write(octree);
-  out << octree.str();
+  out << voxel::fullOctree(*m_octree);
 
   const grid::GridFrame& frame = m_layers.layers().frame();
   out << frame.x0 << frame.y0 << frame.width << frame.height << m_is_empty;
@@ -98,9 +95,7 @@ void CFreeSpaceGridMap2D::saveLayers(files::OutputDir& out, const std::string& n
   formats.prefix = name + "_";
   formats.pictures = true;
   grid::exportLayers(out, layers.styled(), formats);
-  std::ostringstream octree;
-  m_octree->write(octree);
-  files::writeFile(out.path(name + ".ot"), octree.str());
+  files::writeFile(out.path(name + ".ot"), voxel::fullOctree(*m_octree));
 }
 
 }  // namespace mrpt_mapconv

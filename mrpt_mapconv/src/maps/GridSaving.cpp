@@ -1,4 +1,5 @@
 #include <mrpt/serialization/stl_serialization.h>
+#include <mrpt_mapconv/grid/LayerPicture.h>
 #include <mrpt_mapconv/maps/GridSaving.h>
 
 #include <filesystem>
@@ -19,6 +20,7 @@ void saveStaged(const Grid& grid, const std::string& prefix,
   const auto staged = out.path(name + ".png");  // MRPT adds the endings to a prefix
   out.path(name + "_limits.txt");
   grid.Grid::saveMetricMapRepresentationToFile(staged.substr(0, staged.size() - 4));
+  grid::requireCompletePng(staged);
   saveMore(out, name);
   out.commit();
 }

@@ -3,6 +3,7 @@
 #include <mrpt/obs/CObservation3DRangeScan.h>
 #include <mrpt/obs/CObservationPointCloud.h>
 #include <mrpt/obs/CObservationVelodyneScan.h>
+#include <mrpt_mapconv/observation/ExternalFiles.h>
 #include <mrpt_mapconv/observation/ObservationPoints.h>
 #include <mrpt_mapconv/observation/RotatingScanPoints.h>
 #include <mrpt_mapconv/params/Require.h>
@@ -75,7 +76,7 @@ void readScan(const CObservation3DRangeScan& scan, SensorPoints& out, SayOnceLog
   copy.hasIntensityImage = copy.hasConfidenceImage = false;
   copy.intensityImage = mrpt::img::CImage();
   copy.confidenceImage = mrpt::img::CImage();
-  copy.load();
+  loadExternal(copy);
   readLoaded(copy, out.points);
   if (!out.points.empty() || !copy.hasRangeImage || copy.rangeImage.size() == 0) return;
   mrpt::maps::CSimplePointsMap cloud;
@@ -88,7 +89,7 @@ void readScan(const CObservationPointCloud& scan, SensorPoints& out, SayOnceLog&
   if (scan.pointcloud) return zip(*scan.pointcloud, out.points);
   if (!scan.isExternallyStored()) return;
   const CObservationPointCloud copy = scan;
-  copy.load();
+  loadExternal(copy);
   if (copy.pointcloud) zip(*copy.pointcloud, out.points);
 }
 

@@ -1,4 +1,3 @@
-#include <mrpt/img/CImage.h>
 #include <mrpt/maps/CSimpleMap.h>
 #include <mrpt/obs/CActionCollection.h>
 #include <mrpt/obs/CActionRobotMovement2D.h>
@@ -7,14 +6,13 @@
 #include <mrpt/obs/CObservationRobotPose.h>
 #include <mrpt/obs/CRawlog.h>
 #include <mrpt/obs/CSensoryFrame.h>
-#include <mrpt_mapconv/files/ObjectFile.h>
+#include <mrpt_mapconv/observation/ExternalFiles.h>
 #include <mrpt_mapconv/observation/FinitePose.h>
 #include <mrpt_mapconv/observation/ObservationPoints.h>
 #include <mrpt_mapconv/observation/PoseTrack.h>
 #include <mrpt_mapconv/observation/ScanLog.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <map>
 #include <optional>
 #include <stdexcept>
@@ -36,23 +34,6 @@ void warn(const COutputLogger* log, const std::string& text)
 }
 
 std::string className(const CSerializable& object) { return object.GetRuntimeClass()->className; }
-
-/** CRawlog::detectImagesDirectory() of MRPT 2.5 does this, but forgets the slash behind the
- * directory. */
-void useImagesDirectoryOf(const std::string& path)
-{
-  namespace fs = std::filesystem;
-  const fs::path file = fs::absolute(path);
-  const std::string name = file.stem().string();
-  for (const auto& candidate :
-       {name + "_Images", name + "_images", name + "_IMAGES", std::string("Images")})
-  {
-    const fs::path directory = file.parent_path() / candidate;
-    if (!fs::is_directory(directory)) continue;
-    mrpt::img::CImage::setImagesPathBase(directory.string());
-    return;
-  }
-}
 
 /** The increment that a collection of actions stands for; nothing if it holds no movement. */
 std::optional<CPose3D> movement(const CActionCollection& actions)
@@ -287,9 +268,8 @@ void requireScans(const Log& log, const std::string& path)
 }
 
 /** Reads all entries. Scans stay, the rest of a log, above all its images, is let go at once. */
-Log readLog(const std::string& path, const COutputLogger* logger)
+Log readLog(files::ObjectFile& file, const COutputLogger* logger)
 {
-  files::ObjectFile file(path);
   Log log(logger);
   while (const auto entry = file.next()) log.add(entry);
   return log;
@@ -300,13 +280,18 @@ Log readLog(const std::string& path, const COutputLogger* logger)
 std::vector<PosedObservation> readSimpleMap(const std::string& path, const COutputLogger* log)
 {
   files::ObjectFile file(path);
+  return readSimpleMap(file, log);
+}
+
+std::vector<PosedObservation> readSimpleMap(files::ObjectFile& file, const COutputLogger* log)
+{
+  const std::string& path = file.path();
   const auto object = file.next();
   const auto map = std::dynamic_pointer_cast<mrpt::maps::CSimpleMap>(object);
   if (!map)
     throw std::runtime_error(path + ": no simplemap" +
                              (object ? ", but a " + className(*object) : std::string()));
   static_cast<void>(file.next());  // finds what is damaged behind the map
-  useImagesDirectoryOf(path);
 
   std::vector<PosedObservation> scans;
   std::size_t skipped = 0;
@@ -322,15 +307,17 @@ std::vector<PosedObservation> readSimpleMap(const std::string& path, const COutp
     warn(log, path + ": " + std::to_string(skipped) + " of " + std::to_string(map->size()) +
                   " keyframes are left out: they have no observations or no finite pose");
   if (scans.empty()) throw std::runtime_error(path + ": no scans in this simplemap");
+  findExternalFiles(scans, path, log);
   return scans;
 }
 
-std::vector<PosedObservation> readRawlog(const std::string& path, const RawlogOptions& options,
-                                         const COutputLogger* logger)
+namespace
 {
-  const Log log = readLog(path, logger);
+/** The scans whose pose is known. Errors name the file. */
+std::vector<PosedObservation> scansOf(const Log& log, const RawlogOptions& options,
+                                      const std::string& path)
+{
   requireScans(log, path);
-  useImagesDirectoryOf(path);
   if (options.staticSensor) return log.atIdentity();
   const std::string kind = log.scans3D() > 0 ? "3D scan" : "2D scan";
   if (!log.hasPoses())
@@ -347,6 +334,22 @@ std::vector<PosedObservation> readRawlog(const std::string& path, const RawlogOp
                              " lies within the time span of the poses, give or take " +
                              mrpt::format("%.1f s, and within %g s of both poses around it",
                                           PoseTrack::kTolerance, options.maxPoseGap));
+  return scans;
+}
+}  // namespace
+
+std::vector<PosedObservation> readRawlog(const std::string& path, const RawlogOptions& options,
+                                         const COutputLogger* logger)
+{
+  files::ObjectFile file(path);
+  return readRawlog(file, options, logger);
+}
+
+std::vector<PosedObservation> readRawlog(files::ObjectFile& file, const RawlogOptions& options,
+                                         const COutputLogger* logger)
+{
+  auto scans = scansOf(readLog(file, logger), options, file.path());
+  findExternalFiles(scans, file.path(), logger);
   return scans;
 }
 

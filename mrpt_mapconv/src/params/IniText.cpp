@@ -1,4 +1,5 @@
 #include <mrpt_mapconv/params/IniText.h>
+#include <mrpt_mapconv/params/Printable.h>
 #include <mrpt_mapconv/params/Text.h>
 
 #include <cerrno>
@@ -106,7 +107,7 @@ void checkLines(const std::string& text, const std::string& path)
       else if (isKey(line))
         twice.key(line, number);
       else
-        failAt(path, number, "'" + line + "' is no section, comment or key = value");
+        failAt(path, number, "'" + printable(line, 80) + "' is no section, comment or key = value");
     }
     continued = line.back() == '\\';
   }

@@ -14,7 +14,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <cerrno>
 #include <cmath>
 #include <fstream>
 #include <limits>
@@ -57,9 +56,8 @@ class TrajectoryFile
 
   void finish()
   {
-    errno = 0;
     m_file.close();
-    if (!m_file) files::throwFileError("write", m_path, errno != 0 ? errno : EIO);
+    if (!m_file) files::throwUnwritten(m_path, "it is incomplete");
     files::checkWritten(m_path);
   }
 

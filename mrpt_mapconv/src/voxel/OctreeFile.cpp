@@ -1,14 +1,13 @@
 #include <mrpt_mapconv/files/FileIo.h>
+#include <mrpt_mapconv/files/ForeignKind.h>
+#include <mrpt_mapconv/params/Printable.h>
 #include <mrpt_mapconv/voxel/OctreeFile.h>
 #include <octomap/ColorOcTree.h>
 #include <octomap/OcTree.h>
 #include <octomap/OcTreeStamped.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <istream>
 #include <limits>
 #include <sstream>
@@ -58,7 +57,7 @@ TreeType makeTree(const std::string& id, double resolution)
   if (id == "OcTree") return {std::make_unique<octomap::OcTree>(resolution), 0};
   if (id == "ColorOcTree") return {std::make_unique<octomap::ColorOcTree>(resolution), 3};
   if (id == "OcTreeStamped") return {std::make_unique<octomap::OcTreeStamped>(resolution), 0};
-  throw std::runtime_error("the tree's type is '" + printable(id) +
+  throw std::runtime_error("the tree's type is '" + params::printable(id, 40) +
                            "'; OcTree, ColorOcTree and OcTreeStamped can be read");
 }
 
@@ -107,70 +106,66 @@ std::unique_ptr<octomap::AbstractOcTree> parse(std::string_view bytes)
   return std::move(made.tree);
 }
 
-std::string readBytes(const std::string& path)
+/** The bytes of a file, but no more than a node that its header promises can need: a few packed
+ * bytes can become any number. */
+std::string readBytes(files::InputStream& stream)
 {
-  std::error_code error;
-  const auto status = std::filesystem::status(path, error);
-  if (!std::filesystem::exists(status))
-    throw std::runtime_error(status.type() == std::filesystem::file_type::not_found
-                                 ? std::string("no such file")
-                                 : error.message());
-  if (std::filesystem::is_directory(status)) throw std::runtime_error("is a directory, not a file");
-
-  errno = 0;
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw std::runtime_error(std::string("cannot be opened: ") + std::strerror(errno));
-  // In pieces, since a pipe does not tell its size.
-  constexpr std::size_t kPiece = std::size_t(1) << 20;
-  std::string bytes;
-  if (std::filesystem::is_regular_file(status))
-    bytes.reserve(static_cast<std::size_t>(std::filesystem::file_size(path)) + 2 * kPiece);
-  for (std::size_t size = 0; file; bytes.resize(size))
-  {
-    bytes.resize(size + kPiece);
-    file.read(&bytes[size], static_cast<std::streamsize>(kPiece));
-    size += static_cast<std::size_t>(file.gcount());
-  }
-  if (file.bad()) throw std::runtime_error(std::string("cannot be read: ") + std::strerror(errno));
+  constexpr std::size_t kPiece = std::size_t(1) << 20U;
+  constexpr std::uint64_t kNodeBytes = 8;  // the largest: a float, three bytes of colour, a mask
+  std::string bytes = stream.readUpTo(kPiece);
+  if (bytes.size() < kPiece) return bytes;
+  const OctreeHeader header = parseOctreeHeader(bytes);
+  const auto promised =
+      std::min(header.nodes, std::numeric_limits<std::uint64_t>::max() / (2 * kNodeBytes));
+  bytes += stream.readUpTo(header.length + promised * kNodeBytes);
   return bytes;
+}
+
+/** Calls `read`; its errors get the file's name. */
+template <class Read>
+std::unique_ptr<octomap::AbstractOcTree> naming(const std::string& name, const Read& read)
+try
+{
+  return read();
+}
+catch (const std::runtime_error& e)
+{
+  throw std::runtime_error(name + ": " + e.what());
 }
 }  // namespace
 
 std::unique_ptr<octomap::AbstractOcTree> readOctreeFile(const std::string& path)
 {
-  try
-  {
-    return parse(readBytes(path));
-  }
-  catch (const std::runtime_error& e)
-  {
-    throw std::runtime_error(path + ": " + e.what());
-  }
+  files::InputStream stream(path);
+  return readOctree(stream);
+}
+
+std::unique_ptr<octomap::AbstractOcTree> readOctree(files::InputStream& stream)
+{
+  if (!beginsAsOctree(stream.preview())) files::refuseForeignKinds(stream);
+  const std::string bytes = readBytes(stream);
+  return naming(stream.name(), [&] { return parse(bytes); });
 }
 
 std::unique_ptr<octomap::AbstractOcTree> readOctree(const std::string& bytes,
                                                     const std::string& name)
 {
-  try
-  {
-    return parse(bytes);
-  }
-  catch (const std::runtime_error& e)
-  {
-    throw std::runtime_error(name + ": " + e.what());
-  }
+  return naming(name, [&] { return parse(bytes); });
 }
 
 void writeOctreeFile(const std::string& path, const AbstractOccupancyOcTree& tree,
                      const std::string& remark)
 {
-  std::ostringstream bytes;
-  bytes.precision(std::numeric_limits<double>::max_digits10);
-  bytes << "# Octomap OcTree binary file\n";
-  if (!remark.empty()) bytes << "# " << remark << "\n";
-  bytes << "id OcTree\nsize " << tree.size() << "\nres " << tree.getResolution() << "\ndata\n";
-  tree.writeBinaryData(bytes);
-  files::writeFile(path, bytes.str());
+  std::ostringstream nodes;
+  tree.writeBinaryData(nodes);
+  files::writeFile(path, octreeHeaderText(tree, true, remark) + nodes.str());
+}
+
+std::string fullOctree(const AbstractOccupancyOcTree& tree)
+{
+  std::ostringstream nodes;
+  if (tree.size() > 0) tree.writeData(nodes);
+  return octreeHeaderText(tree, false) + nodes.str();
 }
 
 }  // namespace mrpt_mapconv::voxel

@@ -1,5 +1,10 @@
 #include "OctreeHeader.h"
 
+#include <mrpt_mapconv/params/Printable.h>
+#include <mrpt_mapconv/params/Text.h>
+#include <mrpt_mapconv/voxel/OctreeFile.h>
+#include <octomap/AbstractOcTree.h>
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -57,12 +62,12 @@ Number parseNumber(const char* key, std::string_view word)
   const char* end = word.data() + word.size();
   const auto [stop, error] = std::from_chars(word.data(), end, value);
   if (error != std::errc() || stop != end)
-    throw std::runtime_error(std::string("the header's '") + key + "' is '" + printable(word) +
-                             "', which is no valid number");
+    throw std::runtime_error(std::string("the header's '") + key + "' is '" +
+                             params::printable(word, 40) + "', which is no valid number");
   return value;
 }
 
-bool parseIsBinary(std::string_view bytes)
+bool isBinary(std::string_view bytes)
 {
   if (bytes.empty()) throw std::runtime_error("the file is empty");
   if (startsWith(bytes, kBinaryFile)) return true;
@@ -73,19 +78,28 @@ bool parseIsBinary(std::string_view bytes)
 }
 }  // namespace
 
-std::string printable(std::string_view word)
+bool beginsAsOctree(std::string_view bytes)
 {
-  constexpr std::size_t kLongest = 40;
-  std::string shown;
-  for (const char c : word.substr(0, kLongest)) shown += (c > ' ' && c < '\x7f') ? c : '?';
-  if (word.size() > kLongest) shown += "...";
-  return shown;
+  return startsWith(bytes, kBinaryFile) || startsWith(bytes, kFullFile);
+}
+
+std::string octreeHeaderText(const octomap::AbstractOcTree& tree, bool binary,
+                             const std::string& remark)
+{
+  // OctoMap writes the second line, and stored maps are held against it byte by byte.
+  std::string text(binary ? kBinaryFile : kFullFile);
+  if (!binary)
+    text += "\n# (feel free to add / change comments, but leave the first line as it is!)\n#";
+  if (!remark.empty()) text += "\n# " + remark;
+  return text + "\nid " + (binary ? "OcTree" : tree.getTreeType()) + "\nsize " +
+         std::to_string(tree.size()) + "\nres " + params::shortestText(tree.getResolution()) +
+         "\ndata\n";
 }
 
 OctreeHeader parseOctreeHeader(std::string_view bytes)
 {
   OctreeHeader header;
-  header.binary = parseIsBinary(bytes);
+  header.binary = isBinary(bytes);
   std::optional<std::string_view> id;
   std::optional<std::uint64_t> nodes;
   std::optional<double> resolution;

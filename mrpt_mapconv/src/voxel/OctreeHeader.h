@@ -5,6 +5,11 @@
 #include <string>
 #include <string_view>
 
+namespace octomap
+{
+class AbstractOcTree;
+}
+
 namespace mrpt_mapconv::voxel
 {
 /** The text in front of an OctoMap file's nodes. */
@@ -24,7 +29,8 @@ struct OctreeHeader
  * \exception std::runtime_error saying what is wrong, without the file's name */
 OctreeHeader parseOctreeHeader(std::string_view bytes);
 
-/** What can be shown of a word of a file that may hold anything: printable ASCII, not too long. */
-std::string printable(std::string_view word);
+/** The text in front of a tree's nodes, in the C locale and with all digits of the resolution. */
+std::string octreeHeaderText(const octomap::AbstractOcTree& tree, bool binary,
+                             const std::string& remark = {});
 
 }  // namespace mrpt_mapconv::voxel

@@ -1,4 +1,5 @@
 #include <mrpt_mapconv/observation/FinitePose.h>
+#include <mrpt_mapconv/params/Require.h>
 #include <mrpt_mapconv/voxel/OctreeSource.h>
 #include <mrpt_mapconv/voxel/VoxelInsertion.h>
 #include <octomap/OcTree.h>
@@ -145,11 +146,19 @@ InsertedScans insertScans(octomap::OcTree& tree,
   {
     if (progress) progress(static_cast<double>(count++) / static_cast<double>(scans.size()));
     if (!options.insert2D && !observation::is3DScan(*observation)) continue;
-    const auto scan = observation::sensorPoints(*observation, robotPose, warnings);
-    if (!scan || scan->points.empty()) continue;
-    inserted.changed.insert(insertScan(tree, *scan, options, warnings));
-    ++inserted.scans;
-    inserted.points += scan->points.size();
+    try
+    {
+      const auto scan = observation::sensorPoints(*observation, robotPose, warnings);
+      if (!scan || scan->points.empty()) continue;
+      inserted.changed.insert(insertScan(tree, *scan, options, warnings));
+      ++inserted.scans;
+      inserted.points += scan->points.size();
+    }
+    catch (const std::runtime_error& error)
+    {
+      throw std::runtime_error("scan " + std::to_string(count) + " of " +
+                               std::to_string(scans.size()) + ": " + params::oneLine(error));
+    }
   }
   return inserted;
 }

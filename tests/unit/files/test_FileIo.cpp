@@ -30,3 +30,19 @@ TEST(FileIo, noticesFullDisk)
   const auto message = messageOf([] { writeFile("/dev/full", "x"); });
   EXPECT_EQ(message, "cannot write '/dev/full': No space left on device");
 }
+
+TEST(FileIo, TheReasonWhyAnotherLibraryFailedIsAskedForWithoutMakingRoom)
+{
+  const TinyDisk disk(256);
+  if (!disk.mounted()) GTEST_SKIP() << "no right to mount a small disk";
+  const auto reasonAt = [&](const std::string& name)
+  { return messageOf([&] { throwUnwritten(disk.path(name), "the picture is incomplete"); }); };
+  EXPECT_THROW(writeFile(disk.path("a"), std::string(1U << 20U, 'x')), std::runtime_error);
+  EXPECT_EQ(reasonAt("a"), "cannot write '" + disk.path("a") + "': No space left on device");
+  std::filesystem::remove(disk.path("a"));  // as OpenCV does with what it cannot write
+  EXPECT_TRUE(contains(reasonAt("a"), "No space left on device")) << reasonAt("a");
+  const TempDir roomy;
+  writeFile(roomy.path("a"), "short");
+  EXPECT_EQ(messageOf([&] { throwUnwritten(roomy.path("a"), "it is no PNG"); }),
+            "cannot write '" + roomy.path("a") + "': it is no PNG");
+}

@@ -260,7 +260,7 @@ TEST(OctreeFile, OtherTreesAreNamedWithWhatIsSupported)
   std::ostringstream out;
   counting.write(out);
   expectError(out.str(), "'" + counting.getTreeType() + "'; OcTree, ColorOcTree and OcTreeStamped");
-  expectError(header("id \x1b[31mEvil\nsize 1\nres 0.1\ndata\n"), "'?[31mEvil'");
+  expectError(header("id \x1b[31mEvil\nsize 1\nres 0.1\ndata\n"), "'\\x1b[31mEvil'");
   expectError(header("id " + std::string(5000, 'x') + "\nsize 1\nres 1\ndata\n"), "xxx...'");
 }
 
@@ -374,7 +374,8 @@ TEST_F(OctreeFileOnDisk, BadFilesAreNamed)
   expectFileError(m_dir.path("missing.bt"), "no such file");
   expectFileError(m_dir.path(), "is a directory");
   expectFileError(write("empty.bt", ""), "empty");
-  expectFileError(write("garbage.bt", "PK\x03\x04 garbage"), "not an OctoMap file");
+  expectFileError(write("garbage.bt", "PK \x03\x04 garbage"), "not an OctoMap file");
+  expectFileError(write("zip.bt", "PK\x03\x04 map.bt"), "is a zip archive; unpack it");
 }
 
 TEST_F(OctreeFileOnDisk, WritesWhatItReads)

@@ -4,7 +4,6 @@
 #include <unistd.h>
 
 #include <filesystem>
-#include <sstream>
 
 #include "experiment/freespace/FreespaceResult.h"
 
@@ -59,10 +58,9 @@ struct OctreeSizes
 
 OctreeSizes octreeSizes(const octomap::OcTree& tree)
 {
-  std::ostringstream ot;
-  tree.write(ot);
   const double bt = fileBytes("a.bt", [&](const auto& f) { voxel::writeOctreeFile(f, tree); });
-  return {static_cast<double>(tree.memoryUsage()), static_cast<double>(ot.str().size()), bt};
+  return {static_cast<double>(tree.memoryUsage()),
+          static_cast<double>(voxel::fullOctree(tree).size()), bt};
 }
 
 std::string shares(const Sizes& sizes, double whole)

@@ -15,6 +15,13 @@ void writeFile(const std::string& path, std::string_view bytes);
  * \exception std::runtime_error naming the file and the system's reason */
 void checkWritten(const std::string& path);
 
+/** For a file that another library could not write without saying why: appends to it (which
+ * keeps the room that it takes) until the system says it, but at most 64 MB, more than a picture
+ * has that a library removes when it cannot write all of it.
+ * \exception std::runtime_error always, naming the file and the system's reason, or else `what` is
+ * wrong with it, e.g. "the PNG is incomplete" */
+[[noreturn]] void throwUnwritten(const std::string& path, const std::string& what);
+
 /** Throws the one-line error "cannot <action> '<path>': <the system's reason>".
  * \param action such as "write"
  * \param systemError value of errno

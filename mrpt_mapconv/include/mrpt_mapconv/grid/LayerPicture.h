@@ -39,4 +39,8 @@ mrpt::img::CImage drawLayer(const StyledLayer& layer, const PicturePath& path = 
 void writeLayerPng(const std::string& file, const StyledLayer& layer, const PicturePath& path = {},
                    const GridFrame& shown = {});
 
+/** For a PNG that MRPT has written, which does not say whether it could.
+ * \exception std::runtime_error naming the file and the system's reason, unless it is complete */
+void requireCompletePng(const std::string& file);
+
 }  // namespace mrpt_mapconv::grid

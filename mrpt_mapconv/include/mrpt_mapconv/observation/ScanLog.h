@@ -3,6 +3,7 @@
 #include <mrpt/obs/CObservation.h>
 #include <mrpt/poses/CPose3D.h>
 #include <mrpt/system/COutputLogger.h>
+#include <mrpt_mapconv/files/ObjectFile.h>
 #include <mrpt_mapconv/observation/PoseTrack.h>
 
 #include <string>
@@ -25,6 +26,9 @@ struct PosedObservation
  * \exception std::runtime_error in one line naming the file: missing, empty, truncated, no
  * simplemap, or without any scan */
 std::vector<PosedObservation> readSimpleMap(const std::string& path,
+                                            const mrpt::system::COutputLogger* log = nullptr);
+/** The same of a file at its first object. */
+std::vector<PosedObservation> readSimpleMap(files::ObjectFile& file,
                                             const mrpt::system::COutputLogger* log = nullptr);
 
 struct RawlogOptions
@@ -65,6 +69,9 @@ struct RawlogOptions
  * middle of an object), no rawlog, no scans, several but no poses, no poses of the wanted source,
  * or no scan whose pose is known, of the 3D scans if there are any */
 std::vector<PosedObservation> readRawlog(const std::string& path, const RawlogOptions& options = {},
+                                         const mrpt::system::COutputLogger* log = nullptr);
+/** The same of a file at the log's first entry. */
+std::vector<PosedObservation> readRawlog(files::ObjectFile& file, const RawlogOptions& options = {},
                                          const mrpt::system::COutputLogger* log = nullptr);
 
 }  // namespace mrpt_mapconv::observation

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <exception>
+#include <locale>
 #include <sstream>
 #include <stdexcept>
 #include <string>
@@ -15,6 +16,7 @@ void require(bool ok, const char* name, Value value, const Text& right)
 {
   if (ok) return;
   std::ostringstream message;
+  message.imbue(std::locale::classic());
   message << name << " = " << value << " is not valid: it must be " << right;
   throw std::invalid_argument(message.str());
 }

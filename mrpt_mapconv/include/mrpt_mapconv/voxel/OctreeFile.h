@@ -1,8 +1,10 @@
 #pragma once
 
-#include <iosfwd>
+#include <mrpt_mapconv/files/InputStream.h>
+
 #include <memory>
 #include <string>
+#include <string_view>
 
 namespace octomap
 {
@@ -12,13 +14,20 @@ class AbstractOccupancyOcTree;
 
 namespace mrpt_mapconv::voxel
 {
-/** Reads an OctoMap file: `.bt` (binary) or `.ot` (full), told apart by their first line.
+/** Whether these are the first bytes of an OctoMap file, `.bt` or `.ot`. */
+bool beginsAsOctree(std::string_view bytes);
+
+/** Reads an OctoMap file: `.bt` (binary) or `.ot` (full), told apart by their first line; gzipped
+ * or not, whatever its name.
  *
  * The node structure is checked against the file's size and against the number of nodes that the
  * header promises before OctoMap itself reads it, so a damaged file is an error and not half a map.
  * \exception std::runtime_error naming the file and what is wrong with it: missing, empty, not an
- * OctoMap file, unknown tree type, bad resolution, truncated, or a node count that does not fit */
+ * OctoMap file (with what reads files of its kind, see files::foreignKindOf()), unknown tree type,
+ * bad resolution, truncated, or a node count that does not fit */
 std::unique_ptr<octomap::AbstractOcTree> readOctreeFile(const std::string& path);
+/** The same of something that has been opened, and of which nothing has been read. */
+std::unique_ptr<octomap::AbstractOcTree> readOctree(files::InputStream& stream);
 
 /** The same from memory; `name` stands for the file in messages. */
 std::unique_ptr<octomap::AbstractOcTree> readOctree(const std::string& bytes,
@@ -31,5 +40,9 @@ std::unique_ptr<octomap::AbstractOcTree> readOctree(const std::string& bytes,
  * \exception std::runtime_error naming the file and the reason if it cannot be written */
 void writeOctreeFile(const std::string& path, const octomap::AbstractOccupancyOcTree& tree,
                      const std::string& remark = {});
+
+/** The bytes of an `.ot` file, which keeps the occupancy of every node, whatever C++ locale the
+ * process has (OctoMap's own writing puts separators into the numbers of its header). */
+std::string fullOctree(const octomap::AbstractOccupancyOcTree& tree);
 
 }  // namespace mrpt_mapconv::voxel
