@@ -42,15 +42,23 @@ std::string complaintAbout(const std::string& name, const std::vector<IniSection
   return "unknown section [" + name + "] has no effect; " + listOf(sections) + " do";
 }
 
-/** Reads one section into `options`, which must be valid in the end. */
+/** Reads one section into `options`, which must be valid in the end.
+ * \return the keys that it has of theirs */
 template <class Options>
-void readSection(const CConfigFileMemory& ini, const IniSection& name, const std::string& path,
-                 Options& options)
+std::vector<std::string> readSection(const CConfigFileMemory& ini, const IniSection& name,
+                                     const std::string& path, Options& options)
 {
   params::StrictSection section(ini, nameIn(ini, name));
   params::readFields(section, options);
   section.checked([&options] { options.check(); });
   warnUnknownKeys(section, path);
+  std::vector<std::string> keys;
+  params::forEachText(options,
+                      [&](const char* key, const std::string&)
+                      {
+                        if (section.has(key)) keys.emplace_back(key);
+                      });
+  return keys;
 }
 }  // namespace
 
@@ -87,8 +95,8 @@ IniOptions readIni(const std::string& path, const FieldFlags<freespace::Conversi
   IniOptions options;
   try
   {
-    readSection(ini, kConversion, path, options.conversion);
-    readSection(ini, kVoxelInsertion, path, options.insertion);
+    options.conversionKeys = readSection(ini, kConversion, path, options.conversion);
+    options.insertionKeys = readSection(ini, kVoxelInsertion, path, options.insertion);
     flags.applyTo(options.conversion.params);
     options.conversion.check();
   }

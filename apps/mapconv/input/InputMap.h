@@ -8,8 +8,10 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "input/InputFile.h"
+#include "input/NoEffect.h"
 #include "output/Progress.h"
 
 namespace octomap
@@ -27,13 +29,16 @@ struct InputRequest
   std::optional<double> resolution;              //!< of a voxel map that is built from scans [m]
   mrpt_mapconv::observation::RawlogOptions log;  //!< where the poses of a rawlog come from
   mrpt_mapconv::voxel::TVoxelInsertionOptions insertion;  //!< how scans are inserted
+  std::vector<std::string> insertionKeys;  //!< of `insertion`, those that were asked for
+  NoEffect noEffect;                       //!< what else was asked for in vain
 };
 
-/** The voxel map that a file holds, or that its scans give. */
+/** The voxel map that a file holds, or that its scans give. occupancyThres goes for both, as far as
+ * the file holds probabilities. */
 class InputMap
 {
  public:
-  /** Warns where parts of the request or of the file have no effect.
+  /** Warns, in one line, of those parts of the request that have no effect on this file.
    * \exception std::exception in one line naming the file and what is wrong with it */
   InputMap(const InputRequest& request, Progress& progress);
   ~InputMap();
@@ -44,12 +49,15 @@ class InputMap
   const std::string& description() const { return m_description; }
 
  private:
+  void read(const InputRequest& request, Progress& progress);
   void readObject(const InputRequest& request, Progress& progress);
   void readTree(const InputRequest& request);
   void buildFromScans(FileKind kind, const InputRequest& request, Progress& progress);
 
   void useTree(const octomap::AbstractOcTree& tree);
+  void applyThreshold(const InputRequest& request);
 
+  NoEffect m_noEffect;
   std::unique_ptr<octomap::AbstractOcTree> m_ownTree;  //!< unless it belongs to m_object
   mrpt::serialization::CSerializable::Ptr m_object;
   const octomap::AbstractOccupancyOcTree* m_tree = nullptr;

@@ -56,15 +56,17 @@ std::optional<FileKind> logKindOf(const CSerializable& object)
   return std::nullopt;
 }
 
-void warnOfRawlogOptions(const observation::RawlogOptions& options, const std::string& path)
+void noteRawlogOptions(const observation::RawlogOptions& options, const std::string& path,
+                       NoEffect& noEffect)
 {
-  if (options.staticSensor) printWarning("--static has no effect: " + path + " is no rawlog");
-  if (!options.poseSource.empty())
-    printWarning("--pose-source has no effect: " + path + " is no rawlog");
+  std::vector<std::string> given;
+  if (options.staticSensor) given.emplace_back("--static");
+  if (!options.poseSource.empty()) given.emplace_back("--pose-source");
+  noEffect.add(given, path + " is no rawlog");
 }
 
 ScanFile readScans(const std::string& path, FileKind kind,
-                   const observation::RawlogOptions& options)
+                   const observation::RawlogOptions& options, NoEffect& noEffect)
 {
   const ConsoleLog log;
   ScanFile file;
@@ -74,7 +76,7 @@ ScanFile readScans(const std::string& path, FileKind kind,
     file.description = describe("rawlog", file.scans);
     return file;
   }
-  warnOfRawlogOptions(options, path);
+  noteRawlogOptions(options, path, noEffect);
   file.scans = observation::readSimpleMap(path, &log);
   file.description = describe("simplemap", file.scans);
   return file;
@@ -84,7 +86,9 @@ ScanFile read3DScans(const std::string& path, const observation::RawlogOptions& 
                      Progress& progress)
 {
   progress.stage("reading " + path);
-  ScanFile file = readScans(path, logKindIn(path), options);
+  NoEffect noEffect;
+  ScanFile file = readScans(path, logKindIn(path), options, noEffect);
+  noEffect.warn();
   const bool any =
       std::any_of(file.scans.begin(), file.scans.end(),
                   [](const PosedObservation& s) { return observation::is3DScan(*s.observation); });
