@@ -102,11 +102,14 @@ std::string textSummary(const SummaryHead& head, const freespace::LayerStatistic
 int convert(const ConvertOptions& options)
 {
   Job job;
-  const IniOptions ini = readIni(options.iniFile, options.flags);
+  const IniOptions ini = readIni(options.input.iniFile, options.flags);
   const ConversionParams& params = ini.conversion.params;
   InputRequest request = options.input;
   request.insertion = ini.insertion;
   request.insertionKeys = ini.insertionKeys;
+  const auto& keys = ini.conversionKeys;
+  if (std::find(keys.begin(), keys.end(), "robot") != keys.end())
+    request.noEffect.addKeys({"robot"}, request.iniFile, "convert makes layers for both");
   job.checkOutput(options.outputDir);
 
   const InputMap input = job.stage("load", [&] { return InputMap(request, job.progress()); });

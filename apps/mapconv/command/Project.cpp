@@ -37,7 +37,7 @@ InputRequest requestOf(const ProjectOptions& options, const IniOptions& ini)
   const auto isUsed = [](const std::string& key)
   { return params::hasField<voxel::ReadingParams>(key); };
   keys.erase(std::remove_if(keys.begin(), keys.end(), isUsed), keys.end());
-  request.noEffect.add(keys, "project looks at nothing but heights");
+  request.noEffect.addKeys(keys, request.iniFile, "project looks at nothing but heights");
   return request;
 }
 
@@ -69,7 +69,7 @@ int project(const ProjectOptions& options)
     throw UsageError("--z-min " + jsonNumber(options.zMin) + " must be below --z-max " +
                      jsonNumber(options.zMax));
   Job job;
-  const IniOptions ini = readIni(options.iniFile);
+  const IniOptions ini = readIni(options.input.iniFile);
   voxel::ReadingParams reading = ini.conversion.params.reading;
   options.flags.applyTo(reading);
   const InputRequest request = requestOf(options, ini);

@@ -36,7 +36,7 @@ struct IniOptions
 {
   mrpt_mapconv::freespace::TConversionOptions conversion;  //!< section [conversion]
   mrpt_mapconv::voxel::TVoxelInsertionOptions insertion;   //!< section [voxelInsertion]
-  /** The keys that the file has in these sections. @{ */
+  /** The keys to which the file gives other values than their defaults. @{ */
   std::vector<std::string> conversionKeys, insertionKeys;
   /** @} */
 };

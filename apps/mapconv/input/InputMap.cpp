@@ -35,7 +35,7 @@ void noteScanOptions(const InputRequest& request, double resolution, NoEffect& n
   noteRawlogOptions(request.log, request.file, noEffect);
   auto keys = request.insertionKeys;
   keys.erase(std::remove(keys.begin(), keys.end(), kThreshold), keys.end());
-  noEffect.add(keys, request.file + " holds voxels and no scans");
+  noEffect.addKeys(keys, request.iniFile, request.file + " holds voxels and no scans");
 }
 
 std::unique_ptr<octomap::OcTree> buildTree(const std::vector<observation::PosedObservation>& scans,
@@ -94,9 +94,10 @@ void InputMap::applyThreshold(const InputRequest& request)
   const auto& keys = request.insertionKeys;
   if (std::find(keys.begin(), keys.end(), kThreshold) == keys.end()) return;
   if (!voxel::holdsProbabilities(*m_tree))
-    return m_noEffect.add({kThreshold}, request.file +
-                                            " says of each voxel whether it is occupied, but not "
-                                            "how probably; an .ot of the same map would");
+    return m_noEffect.addKeys({kThreshold}, request.iniFile,
+                              request.file +
+                                  " says of each voxel whether it is occupied, but not how "
+                                  "probably; an .ot of the same map would");
   auto tree = voxel::toOcTree(*m_tree);
   tree->setOccupancyThres(request.insertion.occupancyThres);
   useTree(*tree);

@@ -26,10 +26,11 @@ namespace mapconv
 struct InputRequest
 {
   std::string file;
+  std::string iniFile;                           //!< where settings are from; empty: none
   std::optional<double> resolution;              //!< of a voxel map that is built from scans [m]
   mrpt_mapconv::observation::RawlogOptions log;  //!< where the poses of a rawlog come from
   mrpt_mapconv::voxel::TVoxelInsertionOptions insertion;  //!< how scans are inserted
-  std::vector<std::string> insertionKeys;  //!< of `insertion`, those that were asked for
+  std::vector<std::string> insertionKeys;  //!< of `insertion`, those that iniFile changes
   NoEffect noEffect;                       //!< what else was asked for in vain
 };
 

@@ -12,6 +12,8 @@ class NoEffect
   /** \param names as the user wrote them, e.g. "--static"; none: nothing to be said
    * \param why e.g. "map.bt is no rawlog" */
   void add(const std::vector<std::string>& names, const std::string& why);
+  /** The same for keys of an ini file. */
+  void addKeys(std::vector<std::string> keys, const std::string& iniFile, const std::string& why);
   /** Prints the warning; nothing if nothing was added. */
   void warn() const;
 

@@ -21,10 +21,13 @@ class MaxRange
   {
   }
 
+  bool isSet() const { return m_limit > 0 && std::isfinite(m_limit); }
+  /** The shortest range that says that nothing was met, if it is set. */
+  double from() const { return m_from; }
   /** Whether a range, a finite one, says that nothing was met. */
   bool isReachedBy(double range) const
   {
-    return m_limit > 0 && std::isfinite(m_limit) && std::isfinite(range) && range >= m_from;
+    return isSet() && std::isfinite(range) && range >= m_from;
   }
   /** The range up to which a beam says something. */
   double cut(double range) const { return isReachedBy(range) ? m_limit : range; }
