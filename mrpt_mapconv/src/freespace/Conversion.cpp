@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 #include <tuple>
+#include <utility>
 
 #include "../grid/Parallel.h"
 #include "BlockConversion.h"
@@ -212,9 +213,10 @@ bool IncrementalLayers::update(const voxel::VoxelSource& source, const voxel::Co
   const auto inside = changedWithin(source, changed, old);
   if (inside.empty() && !m_unfinished) return false;
   const grid::GridFrame frame = grownFrame(old, inside.bounds(source.resolution()));
+  const bool makeUp = std::exchange(m_unfinished, true);  // until the end, without an exception
   const voxel::FilledSource filled(source, m_params.reading);
   const bool anyColumn = filled.freeUpTo() != m_freeUpTo;  // can have changed
-  if (m_unfinished || anyColumn)
+  if (makeUp || anyColumn)
     rebuildFilled(filled, frame);
   else
     follow(filled, inside, frame);
@@ -225,7 +227,6 @@ void IncrementalLayers::follow(const voxel::VoxelSource& source, const voxel::Co
                                const grid::GridFrame& frame)
 {
   if (frame != m_layers.frame()) m_layers = m_layers.onFrame(frame);
-  m_unfinished = true;  // until the end is reached without an exception
   convertColumns(source, changed, columnsDependingOn(changed, m_params).clipped(frame), m_params,
                  m_threads, m_layers, false);
   m_unfinished = false;

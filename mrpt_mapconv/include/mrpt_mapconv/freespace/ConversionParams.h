@@ -16,7 +16,7 @@ struct ConversionParams
   std::int32_t slopeWindow = 2;  //!< S_A: half side of the slope's window [cells], 1 … 100
   double maxSlope = 2.0;         //!< R_MS: a ground robot's steepest slope [m/m]
   double maxStep = 0.0;  //!< highest step between 8-neighbours for a ground robot [m]; 0 = off
-  voxel::ReadingParams reading;  //!< how the voxel map is read
+  voxel::ReadingParams reading = {};  //!< how the voxel map is read
 
   template <class S, class V>
   static void visit(S& p, V&& v)
