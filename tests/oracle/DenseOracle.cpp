@@ -146,8 +146,30 @@ void markGround(double resolution, double maxStep, DenseResult& result)
     }
 }
 
-DenseResult convert(const DenseMap& map, const freespace::ConversionParams& params)
+DenseMap unknownAsFree(DenseMap map)
 {
+  int top = -1;
+  for (int iy = 0; iy < map.ny; ++iy)
+    for (int ix = 0; ix < map.nx; ++ix)
+      for (int iz = 0; iz < map.nz; ++iz)
+        if (map.at(ix, iy, iz) != Voxel::Unknown) top = std::max(top, iz);
+  for (int iy = 0; iy < map.ny; ++iy)
+    for (int ix = 0; ix < map.nx; ++ix)
+    {
+      bool aboveOccupied = false;
+      for (int iz = 0; iz <= top; ++iz)
+      {
+        Voxel& voxel = map.at(ix, iy, iz);
+        if (voxel == Voxel::Occupied) aboveOccupied = true;
+        if (voxel == Voxel::Unknown && aboveOccupied) voxel = Voxel::Free;
+      }
+    }
+  return map;
+}
+
+DenseResult convert(const DenseMap& read, const freespace::ConversionParams& params)
+{
+  const DenseMap map = params.reading.unknown == voxel::Unknown::Free ? unknownAsFree(read) : read;
   DenseResult result;
   result.nx = map.nx, result.ny = map.ny;
   result.cells.resize(static_cast<std::size_t>(map.nx) * static_cast<std::size_t>(map.ny));

@@ -49,6 +49,10 @@ struct DenseStatistics
   std::size_t free = 0, occupied = 0, unknown = 0, steep = 0, slopeUnknown = 0;
 };
 
+/** The map as it is read with unknown = free: in each column that has an occupied voxel, unknown
+ * voxels above the lowest of them, up to the map's highest known voxel, are free. */
+DenseMap unknownAsFree(DenseMap map);
+
 /** The conversion of the section 2, by plain loops over the dense array. */
 DenseResult convert(const DenseMap& map, const freespace::ConversionParams& params);
 

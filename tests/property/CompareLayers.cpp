@@ -169,7 +169,7 @@ std::string text(const freespace::ConversionParams& params)
   out.precision(17);
   out << "minClearance " << params.minClearance << ", minOccupancy " << params.minOccupancy
       << ", slopeWindow " << params.slopeWindow << ", maxSlope " << params.maxSlope << ", maxStep "
-      << params.maxStep;
+      << params.maxStep << ", unknown " << params::textOf(params.reading.unknown);
   return out.str();
 }
 

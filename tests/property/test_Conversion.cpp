@@ -64,6 +64,7 @@ freespace::ConversionParams randomParams(Rng& rng, double res)
   const double slopes[] = {0, 0.5, 1, 1.5, 2, 3, 0.3};
   params.maxSlope = chance(rng, 70) ? slopes[pick(rng, 0, 6)] : uniform(rng, 0, 4);
   params.maxStep = randomStep(rng, res);
+  if (chance(rng, 30)) params.reading.unknown = voxel::Unknown::Free;
   return params;
 }
 

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <stdexcept>
 #include <vector>
 
 #include "command/Command.h"
@@ -17,6 +18,7 @@
 #include "input/InputFile.h"
 #include "input/InputOptions.h"
 #include "output/Console.h"
+#include "output/FreeSpaceAdvice.h"
 #include "output/Job.h"
 #include "output/Scene.h"
 #include "output/Summary.h"
@@ -46,14 +48,21 @@ void writeOutputs(const freespace::Layers& layers, const ConversionParams& param
   progress.done(1);
 }
 
+/** A map in which nothing could be free but by --unknown is no map to plan on. */
+void requireFreeVoxel(const InputMap& input, const ConvertOptions& options,
+                      const ConversionParams& params)
+{
+  if (params.reading.unknown == voxel::Unknown::Unknown && !voxel::hasFreeVoxel(input.source()))
+    throw std::runtime_error(options.input.file + ": " + kNoFreeVoxel);
+}
+
 void warnAbout(const freespace::LayerStatistics& counts, const ConversionParams& params,
                double resolution)
 {
   if (counts.free == 0)
-    printWarning(
-        "nowhere are minClearance = " + jsonNumber(params.minClearance) +
-        " m of free space above each other, so all layers are unknown; if the map has free "
-        "space at all, a smaller --min-clearance finds it");
+    printWarning("nowhere are minClearance = " + jsonNumber(params.minClearance) +
+                 " m of free space above each other, so all layers are unknown; a smaller "
+                 "--min-clearance finds lower free space");
   constexpr double kHighStep = 0.3;
   const double minStep = params.minStep(resolution);
   const bool stepsChecked = params.maxStep > 0 && params.maxStep <= kHighStep;
@@ -100,10 +109,14 @@ std::string textSummary(const SummaryHead& head, const freespace::LayerStatistic
 int convert(const ConvertOptions& options)
 {
   Job job;
-  const IniOptions ini = readIni(options.iniFile, options.flags);
+  const IniOptions ini = readIni(options.input.iniFile, options.flags);
   const ConversionParams& params = ini.conversion.params;
   InputRequest request = options.input;
   request.insertion = ini.insertion;
+  request.insertionKeys = ini.insertionKeys;
+  const auto& keys = ini.conversionKeys;
+  if (std::find(keys.begin(), keys.end(), "robot") != keys.end())
+    request.noEffect.addKeys({"robot"}, request.iniFile, "convert makes layers for both");
   job.checkOutput(options.outputDir);
 
   const InputMap input = job.stage("load", [&] { return InputMap(request, job.progress()); });
@@ -111,6 +124,7 @@ int convert(const ConvertOptions& options)
       job.stage("convert", "converting",
                 [&] { return freespace::convert(input.source(), params, options.threads); });
   const auto counts = freespace::statistics(layers);
+  if (counts.free == 0) requireFreeVoxel(input, options, params);
   warnAbout(counts, params, layers.frame().resolution);
   job.write(options.outputDir, [&](files::OutputDir& out)
             { writeOutputs(layers, params, input, out, job.progress()); });

@@ -1,8 +1,10 @@
 #include <mrpt_mapconv/files/OutputDir.h>
 #include <mrpt_mapconv/freespace/FixedProjection.h>
 #include <mrpt_mapconv/grid/LayerExport.h>
+#include <mrpt_mapconv/voxel/UnknownVoxels.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <memory>
 
 #include "command/Command.h"
@@ -10,6 +12,7 @@
 #include "input/InputFile.h"
 #include "input/InputOptions.h"
 #include "output/Console.h"
+#include "output/FreeSpaceAdvice.h"
 #include "output/Job.h"
 #include "output/Summary.h"
 
@@ -22,7 +25,22 @@ namespace
 struct ProjectOptions : InputOptions
 {
   double zMin = 0, zMax = 0;
+  FieldFlags<voxel::ReadingParams> flags;
 };
+
+/** What the options ask for; what has no effect on a projection is noted. */
+InputRequest requestOf(const ProjectOptions& options, const IniOptions& ini)
+{
+  InputRequest request = options.input;
+  request.insertion = ini.insertion;
+  request.insertionKeys = ini.insertionKeys;
+  auto keys = ini.conversionKeys;
+  const auto isUsed = [](const std::string& key)
+  { return params::hasField<voxel::ReadingParams>(key); };
+  keys.erase(std::remove_if(keys.begin(), keys.end(), isUsed), keys.end());
+  request.noEffect.addKeys(keys, request.iniFile, "project looks at nothing but heights");
+  return request;
+}
 
 void writeOutputs(const grid::Layer<float>& layer, const ProjectOptions& options,
                   files::OutputDir& out)
@@ -53,16 +71,23 @@ int project(const ProjectOptions& options)
     throw UsageError("--z-min " + jsonNumber(options.zMin) + " must be below --z-max " +
                      jsonNumber(options.zMax));
   Job job;
-  InputRequest request = options.input;
-  request.insertion = readIni(options.iniFile).insertion;
+  const IniOptions ini = readIni(options.input.iniFile);
+  voxel::ReadingParams reading = ini.conversion.params.reading;
+  options.flags.applyTo(reading);
+  const InputRequest request = requestOf(options, ini);
   job.checkOutput(options.outputDir);
 
   const InputMap input = job.stage("load", [&] { return InputMap(request, job.progress()); });
-  const auto layer = job.stage("convert", "projecting",
-                               [&] {
-                                 return freespace::projectFixed(input.source(), options.zMin,
-                                                                options.zMax, options.threads);
-                               });
+  const auto layer =
+      job.stage("convert", "projecting",
+                [&]
+                {
+                  return freespace::projectFixed(voxel::FilledSource(input.source(), reading),
+                                                 options.zMin, options.zMax, options.threads);
+                });
+  if (countsOf(layer).free == 0 && reading.unknown == voxel::Unknown::Unknown &&
+      !voxel::hasFreeVoxel(input.source()))
+    printWarning(options.input.file + ": " + kNoFreeVoxel);
   job.write(options.outputDir, [&](files::OutputDir& out) { writeOutputs(layer, options, out); });
   job.print(summary(options, input, layer, job.seconds()));
   return 0;
@@ -84,6 +109,7 @@ std::pair<CLI::App*, Command> addProject(CLI::App& app)
       ->required()
       ->check(isNumber())
       ->type_name("M");
+  options->flags.addTo(*sub);
   sub->footer(
       "Example:\n  mapconv project building.bt --z-min 0.1 --z-max 1.8 -o maps\n"
       "DIR gets projection.tif, .gridmap, .pgm, .yaml and .png. A cell is occupied if any of its\n"

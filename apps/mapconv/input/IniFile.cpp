@@ -4,6 +4,7 @@
 #include <mrpt_mapconv/params/Require.h>
 
 #include <algorithm>
+#include <map>
 #include <stdexcept>
 
 #include "output/Console.h"
@@ -42,15 +43,33 @@ std::string complaintAbout(const std::string& name, const std::vector<IniSection
   return "unknown section [" + name + "] has no effect; " + listOf(sections) + " do";
 }
 
-/** Reads one section into `options`, which must be valid in the end. */
+/** The keys of a section that have other values than by default. */
 template <class Options>
-void readSection(const CConfigFileMemory& ini, const IniSection& name, const std::string& path,
-                 Options& options)
+std::vector<std::string> changedKeys(const params::StrictSection& section, const Options& options)
+{
+  std::map<std::string, std::string> defaults;
+  params::forEachText(
+      Options(), [&defaults](const char* key, const std::string& text) { defaults[key] = text; });
+  std::vector<std::string> keys;
+  params::forEachText(options,
+                      [&](const char* key, const std::string& text)
+                      {
+                        if (section.has(key) && text != defaults[key]) keys.emplace_back(key);
+                      });
+  return keys;
+}
+
+/** Reads one section into `options`, which must be valid in the end.
+ * \return the keys that it changes */
+template <class Options>
+std::vector<std::string> readSection(const CConfigFileMemory& ini, const IniSection& name,
+                                     const std::string& path, Options& options)
 {
   params::StrictSection section(ini, nameIn(ini, name));
   params::readFields(section, options);
   section.checked([&options] { options.check(); });
   warnUnknownKeys(section, path);
+  return changedKeys(section, options);
 }
 }  // namespace
 
@@ -87,8 +106,8 @@ IniOptions readIni(const std::string& path, const FieldFlags<freespace::Conversi
   IniOptions options;
   try
   {
-    readSection(ini, kConversion, path, options.conversion);
-    readSection(ini, kVoxelInsertion, path, options.insertion);
+    options.conversionKeys = readSection(ini, kConversion, path, options.conversion);
+    options.insertionKeys = readSection(ini, kVoxelInsertion, path, options.insertion);
     flags.applyTo(options.conversion.params);
     options.conversion.check();
   }

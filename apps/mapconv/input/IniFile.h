@@ -36,6 +36,9 @@ struct IniOptions
 {
   mrpt_mapconv::freespace::TConversionOptions conversion;  //!< section [conversion]
   mrpt_mapconv::voxel::TVoxelInsertionOptions insertion;   //!< section [voxelInsertion]
+  /** The keys to which the file gives other values than their defaults. @{ */
+  std::vector<std::string> conversionKeys, insertionKeys;
+  /** @} */
 };
 
 /** Reads an ini file, in which flags replace what they stand for; what is in neither keeps its

@@ -3,11 +3,14 @@
 #include <mrpt_mapconv/files/ObjectFile.h>
 #include <mrpt_mapconv/maps/OctoMapAccess.h>
 #include <mrpt_mapconv/params/Require.h>
+#include <mrpt_mapconv/voxel/LeafProbabilities.h>
+#include <mrpt_mapconv/voxel/OcTreeCopy.h>
 #include <mrpt_mapconv/voxel/OctreeFile.h>
 #include <mrpt_mapconv/voxel/OctreeSource.h>
 #include <mrpt_mapconv/voxel/VoxelMapParams.h>
 #include <octomap/OcTree.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -23,12 +26,18 @@ using namespace mrpt_mapconv;
 
 namespace
 {
-void warnOfUnusedOptions(const InputRequest& request, double resolution)
+constexpr const char* kThreshold = "occupancyThres";
+
+/** Notes what only goes for maps that are made of scans. */
+void noteScanOptions(const InputRequest& request, double resolution, NoEffect& noEffect)
 {
   if (request.resolution)
-    printWarning("--resolution " + jsonNumber(*request.resolution) + " has no effect: " +
+    noEffect.add({"--resolution " + jsonNumber(*request.resolution)},
                  shownName(request.file) + " has voxels of " + jsonNumber(resolution) + " m");
-  warnOfRawlogOptions(request.log, shownName(request.file));
+  noteRawlogOptions(request.log, shownName(request.file), noEffect);
+  auto keys = request.insertionKeys;
+  keys.erase(std::remove(keys.begin(), keys.end(), kThreshold), keys.end());
+  noEffect.addKeys(keys, request.iniFile, shownName(request.file) + " holds voxels and no scans");
 }
 
 std::unique_ptr<octomap::OcTree> buildTree(const std::vector<observation::PosedObservation>& scans,
@@ -54,7 +63,13 @@ std::unique_ptr<octomap::OcTree> buildTree(const std::vector<observation::PosedO
 }
 }  // namespace
 
-InputMap::InputMap(const InputRequest& request, Progress& progress)
+InputMap::InputMap(const InputRequest& request, Progress& progress) : m_noEffect(request.noEffect)
+{
+  read(request, progress);
+  m_noEffect.warn();
+}
+
+void InputMap::read(const InputRequest& request, Progress& progress)
 {
   progress.stage("reading " + shownName(request.file));
   files::InputStream stream = openInput(request.file);
@@ -77,6 +92,22 @@ void InputMap::useTree(const octomap::AbstractOcTree& tree)
   m_tree = dynamic_cast<const octomap::AbstractOccupancyOcTree*>(&tree);
 }
 
+/** Has the threshold that was asked for decide what is occupied. */
+void InputMap::applyThreshold(const InputRequest& request)
+{
+  const auto& keys = request.insertionKeys;
+  if (std::find(keys.begin(), keys.end(), kThreshold) == keys.end()) return;
+  if (!voxel::holdsProbabilities(*m_tree))
+    return m_noEffect.addKeys({kThreshold}, request.iniFile,
+                              shownName(request.file) +
+                                  " says of each voxel whether it is occupied, but not how "
+                                  "probably; an .ot of the same map would");
+  auto tree = voxel::toOcTree(*m_tree);
+  tree->setOccupancyThres(request.insertion.occupancyThres);
+  useTree(*tree);
+  m_ownTree = std::move(tree);
+}
+
 void InputMap::readTree(files::InputStream& stream, const InputRequest& request)
 {
   m_ownTree = voxel::readOctree(stream);
@@ -84,7 +115,8 @@ void InputMap::readTree(files::InputStream& stream, const InputRequest& request)
     throw std::runtime_error(stream.name() + ": the map is empty: not one voxel is known");
   useTree(*m_ownTree);
   m_description = "OctoMap file (" + m_ownTree->getTreeType() + ")";
-  warnOfUnusedOptions(request, m_source->resolution());
+  noteScanOptions(request, m_source->resolution(), m_noEffect);
+  applyThreshold(request);
 }
 
 void InputMap::readObject(files::ObjectFile& file, const InputRequest& request, Progress& progress)
@@ -102,7 +134,8 @@ void InputMap::readObject(files::ObjectFile& file, const InputRequest& request, 
       m_object = object;
       useTree(*tree);
       m_description = name + " (" + tree->getTreeType() + ")";
-      warnOfUnusedOptions(request, m_source->resolution());
+      noteScanOptions(request, m_source->resolution(), m_noEffect);
+      applyThreshold(request);
       return;
     }
     others += (others.empty() ? "a " : ", a ") + name;
@@ -114,7 +147,7 @@ void InputMap::readObject(files::ObjectFile& file, const InputRequest& request, 
 void InputMap::buildFromScans(files::ObjectFile& log, LogKind kind, const InputRequest& request,
                               Progress& progress)
 {
-  const ScanFile file = readScans(log, kind, request.log);
+  const ScanFile file = readScans(log, kind, request.log, m_noEffect);
   progress.stage("inserting the scans of " + log.path());
   m_ownTree = buildTree(file.scans, request, progress);
   useTree(*m_ownTree);

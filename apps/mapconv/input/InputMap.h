@@ -8,7 +8,9 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "input/NoEffect.h"
 #include "input/ScanFile.h"
 #include "output/Progress.h"
 
@@ -24,16 +26,20 @@ namespace mapconv
 struct InputRequest
 {
   std::string file;                              //!< "-": what is piped in
+  std::string iniFile;                           //!< where settings are from; empty: none
   std::optional<double> resolution;              //!< of a voxel map that is built from scans [m]
   mrpt_mapconv::observation::RawlogOptions log;  //!< where the poses of a rawlog come from
   mrpt_mapconv::voxel::TVoxelInsertionOptions insertion;  //!< how scans are inserted
+  std::vector<std::string> insertionKeys;  //!< of `insertion`, those that iniFile changes
+  NoEffect noEffect;                       //!< what else was asked for in vain
 };
 
-/** The voxel map that a file holds, or that its scans give. */
+/** The voxel map that a file holds, or that its scans give. occupancyThres goes for both, as far as
+ * the file holds probabilities. */
 class InputMap
 {
  public:
-  /** Warns where parts of the request or of the file have no effect.
+  /** Warns, in one line, of those parts of the request that have no effect on this file.
    * \exception std::exception in one line naming the file and what is wrong with it */
   InputMap(const InputRequest& request, Progress& progress);
   ~InputMap();
@@ -44,6 +50,7 @@ class InputMap
   const std::string& description() const { return m_description; }
 
  private:
+  void read(const InputRequest& request, Progress& progress);
   void readObject(mrpt_mapconv::files::ObjectFile& file, const InputRequest& request,
                   Progress& progress);
   void readTree(mrpt_mapconv::files::InputStream& stream, const InputRequest& request);
@@ -51,7 +58,9 @@ class InputMap
                       const InputRequest& request, Progress& progress);
 
   void useTree(const octomap::AbstractOcTree& tree);
+  void applyThreshold(const InputRequest& request);
 
+  NoEffect m_noEffect;
   std::unique_ptr<octomap::AbstractOcTree> m_ownTree;  //!< unless it belongs to m_object
   mrpt::serialization::CSerializable::Ptr m_object;
   const octomap::AbstractOccupancyOcTree* m_tree = nullptr;

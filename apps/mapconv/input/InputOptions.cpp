@@ -78,7 +78,8 @@ void addInputOptions(CLI::App& app, InputOptions& options)
       ->required()
       ->type_name("");
   addOutputOptions(app, options.outputDir, options.json);
-  app.add_option("-c,--config", options.iniFile, "options: sections [conversion], [voxelInsertion]")
+  app.add_option("-c,--config", options.input.iniFile,
+                 "options: sections [conversion], [voxelInsertion]")
       ->type_name("FILE.ini");
   app.add_option("--resolution", options.input.resolution,
                  "voxel size where a voxel map is built from scans [m], default " +

@@ -12,7 +12,6 @@ namespace mapconv
 struct InputOptions
 {
   InputRequest input;
-  std::string iniFile;  //!< empty: none
   std::string outputDir;
   int threads = 0;
   bool json = false;

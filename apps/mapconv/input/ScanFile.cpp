@@ -61,11 +61,13 @@ std::optional<LogKind> logKindOf(const CSerializable& object)
   return std::nullopt;
 }
 
-void warnOfRawlogOptions(const observation::RawlogOptions& options, const std::string& path)
+void noteRawlogOptions(const observation::RawlogOptions& options, const std::string& path,
+                       NoEffect& noEffect)
 {
-  if (options.staticSensor) printWarning("--static has no effect: " + path + " is no rawlog");
-  if (!options.poseSource.empty())
-    printWarning("--pose-source has no effect: " + path + " is no rawlog");
+  std::vector<std::string> given;
+  if (options.staticSensor) given.emplace_back("--static");
+  if (!options.poseSource.empty()) given.emplace_back("--pose-source");
+  noEffect.add(given, path + " is no rawlog");
 }
 
 namespace
@@ -77,7 +79,8 @@ bool has3DScan(const std::vector<PosedObservation>& scans)
                      { return observation::is3DScan(*s.observation); });
 }
 
-ScanFile readLog(files::ObjectFile& log, LogKind kind, const observation::RawlogOptions& options)
+ScanFile readLog(files::ObjectFile& log, LogKind kind, const observation::RawlogOptions& options,
+                 NoEffect& noEffect)
 {
   const ConsoleLog console;
   ScanFile file;
@@ -87,7 +90,7 @@ ScanFile readLog(files::ObjectFile& log, LogKind kind, const observation::Rawlog
     file.description = describe("rawlog", file.scans);
     return file;
   }
-  warnOfRawlogOptions(options, log.path());
+  noteRawlogOptions(options, log.path(), noEffect);
   file.scans = observation::readSimpleMap(log, &console);
   file.description = describe("simplemap", file.scans);
   return file;
@@ -95,9 +98,10 @@ ScanFile readLog(files::ObjectFile& log, LogKind kind, const observation::Rawlog
 
 }  // namespace
 
-ScanFile readScans(files::ObjectFile& log, LogKind kind, const observation::RawlogOptions& options)
+ScanFile readScans(files::ObjectFile& log, LogKind kind, const observation::RawlogOptions& options,
+                   NoEffect& noEffect)
 {
-  ScanFile file = readLog(log, kind, options);
+  ScanFile file = readLog(log, kind, options, noEffect);
   if (!has3DScan(file.scans))
     printWarning(log.path() +
                  ": all of its scans are 2D, so only what lies at their heights is known");
@@ -109,7 +113,9 @@ ScanFile read3DScans(const std::string& path, const observation::RawlogOptions& 
 {
   progress.stage("reading " + shownName(path));
   files::ObjectFile log = openLog(path);
-  ScanFile file = readLog(log, logKindIn(log), options);
+  NoEffect noEffect;
+  ScanFile file = readLog(log, logKindIn(log), options, noEffect);
+  noEffect.warn();
   if (!has3DScan(file.scans))
     throw std::runtime_error(log.path() + ": none of its " + std::to_string(file.scans.size()) +
                              " scans is a 3D scan; mapconv convert takes 2D scans, too");

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "input/NoEffect.h"
 #include "output/Progress.h"
 
 namespace mapconv
@@ -29,19 +30,20 @@ struct ScanFile
 /** Which of both an object is the (first) part of; nothing if it is no part of either. */
 std::optional<LogKind> logKindOf(const mrpt::serialization::CSerializable& object);
 
-/** Warns of options that only rawlogs know, for a file that is none. */
-void warnOfRawlogOptions(const mrpt_mapconv::observation::RawlogOptions& options,
-                         const std::string& path);
+/** Notes the options that only rawlogs know, for a file that is none. */
+void noteRawlogOptions(const mrpt_mapconv::observation::RawlogOptions& options,
+                       const std::string& path, NoEffect& noEffect);
 
-/** Reads one or the other, warning of what is left out and of options where they have no effect.
+/** Reads one or the other, warning of what is left out.
  * \param log at its first entry
+ * \param noEffect gets the options that have none
  * \exception std::runtime_error in one line naming the file and what is wrong with it */
 ScanFile readScans(mrpt_mapconv::files::ObjectFile& log, LogKind kind,
-                   const mrpt_mapconv::observation::RawlogOptions& options);
+                   const mrpt_mapconv::observation::RawlogOptions& options, NoEffect& noEffect);
 
-/** The same for a file that has to hold 3D scans. \param path "-": what is piped in
- * \exception std::runtime_error likewise, also if it holds something else or
- * only 2D scans */
+/** The same, warning also of options that have no effect, for a file that has to hold 3D scans.
+ * \param path "-": what is piped in \exception std::runtime_error likewise, also if it holds
+ * something else or only 2D scans */
 ScanFile read3DScans(const std::string& path,
                      const mrpt_mapconv::observation::RawlogOptions& options, Progress& progress);
 

@@ -8,6 +8,8 @@
 
 #include <array>
 
+#include "output/FreeSpaceAdvice.h"
+
 namespace mapconv
 {
 namespace
@@ -64,6 +66,7 @@ void describeOctree(const octomap::AbstractOcTree& tree, InfoReport& report)
   report.line("leaves", mrpt::format("%zu (%zu free, %zu occupied) of %zu nodes",
                                      leaves.free + leaves.occupied, leaves.free, leaves.occupied,
                                      tree.size()));
+  if (leaves.free == 0 && leaves.occupied > 0) report.line("free space", kNoFreeVoxel);
   describeBox(tree, report);
   report.line("memory", mrpt::format("%.1f MB", static_cast<double>(tree.memoryUsage()) / 1e6));
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <stdexcept>
 #include <tuple>
+#include <utility>
 
 #include "../grid/Parallel.h"
 #include "BlockConversion.h"
@@ -164,7 +165,7 @@ grid::GridFrame frameOf(const voxel::VoxelSource& source)
 Layers convert(const voxel::VoxelSource& source, const ConversionParams& params, int threads)
 {
   params.check();
-  return convertOn(frameOf(source), source, params, threads);
+  return convertOn(frameOf(source), voxel::FilledSource(source, params.reading), params, threads);
 }
 
 voxel::ColumnSet columnsDependingOn(const voxel::ColumnSet& changed, const ConversionParams& params)
@@ -194,9 +195,16 @@ void IncrementalLayers::rebuild(const voxel::VoxelSource& source)
 
 void IncrementalLayers::rebuild(const voxel::VoxelSource& source, const grid::GridFrame& frame)
 {
+  rebuildFilled({source, m_params.reading}, frame);
+}
+
+void IncrementalLayers::rebuildFilled(const voxel::FilledSource& source,
+                                      const grid::GridFrame& frame)
+{
   checkFrameSize(frame);
   m_layers = convertOn(frame, source, m_params, m_threads);
   m_unfinished = false;
+  m_freeUpTo = source.freeUpTo();
 }
 
 bool IncrementalLayers::update(const voxel::VoxelSource& source, const voxel::ColumnSet& changed)
@@ -205,18 +213,20 @@ bool IncrementalLayers::update(const voxel::VoxelSource& source, const voxel::Co
   const auto inside = changedWithin(source, changed, old);
   if (inside.empty() && !m_unfinished) return false;
   const grid::GridFrame frame = grownFrame(old, inside.bounds(source.resolution()));
-  if (m_unfinished)
-    rebuild(source, frame);
+  const bool makeUp = std::exchange(m_unfinished, true);  // until the end, without an exception
+  const voxel::FilledSource filled(source, m_params.reading);
+  const bool anyColumn = filled.freeUpTo() != m_freeUpTo;  // can have changed
+  if (makeUp || anyColumn)
+    rebuildFilled(filled, frame);
   else
-    follow(source, inside, frame);
-  return frame != old;
+    follow(filled, inside, frame);
+  return anyColumn || frame != old;
 }
 
 void IncrementalLayers::follow(const voxel::VoxelSource& source, const voxel::ColumnSet& changed,
                                const grid::GridFrame& frame)
 {
   if (frame != m_layers.frame()) m_layers = m_layers.onFrame(frame);
-  m_unfinished = true;  // until the end is reached without an exception
   convertColumns(source, changed, columnsDependingOn(changed, m_params).clipped(frame), m_params,
                  m_threads, m_layers, false);
   m_unfinished = false;
@@ -226,6 +236,7 @@ void IncrementalLayers::clear()
 {
   m_layers = Layers();
   m_unfinished = false;
+  m_freeUpTo.reset();
 }
 
 }  // namespace mrpt_mapconv::freespace

@@ -151,10 +151,12 @@ std::string CFreeSpaceGridMap2D::insertScan(const observation::SensorPoints& sca
  * \return true if everything was laid out anew */
 bool CFreeSpaceGridMap2D::followOctree()
 {
-  m_layers.update(Source(*m_octree), m_pending);
-  const bool laidOut = showCells(freespace::columnsDependingOn(m_pending, m_conversion.params));
+  const bool everywhere = m_layers.update(Source(*m_octree), m_pending);
+  const bool laidOut =
+      showCells(everywhere ? voxel::ColumnSet::of(layers().frame())
+                           : freespace::columnsDependingOn(m_pending, m_conversion.params));
   m_pending.clear();
-  return laidOut;
+  return everywhere || laidOut;
 }
 
 /** An entirely unknown map is most often one whose scans leave gaps between their beams. */
@@ -164,6 +166,12 @@ void CFreeSpaceGridMap2D::warnIfNothingIsFree()
   const auto& aerial = layers().aerial.cells();
   m_sawFree = std::any_of(aerial.begin(), aerial.end(), grid::isFree);
   if (m_sawFree || aerial.empty()) return;
+  if (!voxel::hasFreeVoxel(Source(*m_octree)) &&
+      m_conversion.params.reading.unknown == voxel::Unknown::Unknown)
+    return warnings().warnOnce(
+        "voxels are known, but none is free, as in maps made of clouds or meshes: all cells are "
+        "unknown; unknown = free, a conversion option, takes what is above occupied voxels for "
+        "free");
   warnings().warnOnce(mrpt::format(
       "voxels are known, but no free range is minClearance = %g m high: all cells are unknown",
       m_conversion.params.minClearance));

@@ -9,6 +9,8 @@
 #include <cmath>
 #include <optional>
 
+#include "../observation/MaxRange.h"
+
 // How 2D scans get into a CScanShapeGridMap2D: as the base class inserts them, but in a grid that
 // has room, since its own growth knows no limit and with some resolutions moves the cells a little,
 // and only such as the base class can take: it crashes on some and believes in NaN ranges.
@@ -64,6 +66,26 @@ std::optional<CObservation2DRangeScan> withoutBadRays(const CObservation2DRangeS
   }
   return mended;
 }
+
+/** Has a scan's ranges from its maxRange on, which are no returns, end before an obstacle, for as
+ * long as this lives: the base class only knows a maxDistanceInsertion. */
+class WithinMaxRange
+{
+ public:
+  WithinMaxRange(Base::TInsertionOptions& options, const CObservation2DRangeScan& scan)
+      : m_distance(options.maxDistanceInsertion), m_set(options.maxDistanceInsertion)
+  {
+    const observation::MaxRange most(scan.maxRange);
+    if (most.isSet()) m_distance = std::min(m_distance, static_cast<float>(most.from()));
+  }
+  ~WithinMaxRange() { m_distance = m_set; }
+  WithinMaxRange(const WithinMaxRange&) = delete;
+  WithinMaxRange& operator=(const WithinMaxRange&) = delete;
+
+ private:
+  float& m_distance;
+  float m_set;
+};
 
 /** Where the rays that are inserted end; also the sensor is inside. */
 struct RayBox
@@ -142,6 +164,7 @@ bool CScanShapeGridMap2D::insert2D(const CObservation2DRangeScan& scan, const CP
                                        " that are NaN, infinite or negative count as invalid";
                               });
   const auto& usable = mended ? *mended : scan;
+  const WithinMaxRange within(insertionOptions, usable);
   const RayBox box = rayBoxOf(usable, sensor, insertionOptions);
   if (!box.hasValid) return m_log.skip(scan, "it has no valid range");
   makeRoomFor(frameFor(box, frame().resolution));

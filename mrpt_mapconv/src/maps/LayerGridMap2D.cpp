@@ -55,7 +55,7 @@ bool LayerGridMap2D::internal_insertObservation(
   const mrpt::system::CTicTac watch;
   const auto scan =
       observation::sensorPoints(obs, robotPose.value_or(mrpt::poses::CPose3D()), &m_log.warnings);
-  if (!scan || scan->points.empty()) return m_log.skip(obs, "it has no usable point");
+  if (!scan || scan->empty()) return m_log.skip(obs, "it has no usable point");
   if (const std::string why = insertScan(*scan); !why.empty()) return m_log.skip(obs, why);
   times().registerUserMeasure("insert", watch.Tac(), true);
   return true;

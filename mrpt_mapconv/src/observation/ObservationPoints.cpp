@@ -11,8 +11,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <utility>
+
+#include "MaxRange.h"
 
 namespace mrpt_mapconv::observation
 {
@@ -41,21 +44,24 @@ void zip(const mrpt::maps::CPointsMap& map, Points& points)
   zip(map.getPointsBufferRef_x(), map.getPointsBufferRef_y(), map.getPointsBufferRef_z(), points);
 }
 
-// readScan(): adds the points, and sets the step if it is known
+// readScan(): adds points and beams without return, and sets the step if it is known
 
 void readScan(const CObservation2DRangeScan& scan, SensorPoints& out, SayOnceLog&)
 {
   const std::size_t n = scan.getScanSize();
   const double turn = scan.rightToLeft ? 1 : -1;
+  const MaxRange most(scan.maxRange);
   for (std::size_t i = 0; i < n; ++i)
   {
     if (!scan.getScanRangeValidity(i)) continue;
     // MRPT's getScanAngle() divides by zero for a single ray, which looks ahead.
     const double share = n > 1 ? static_cast<double>(i) / static_cast<double>(n - 1) : 0.5;
     const double angle = turn * scan.aperture * (share - 0.5);
-    const double range = scan.getScanRange(i);
-    out.points.emplace_back(static_cast<float>(range * std::cos(angle)),
-                            static_cast<float>(range * std::sin(angle)), 0.0f);
+    const double measured = scan.getScanRange(i);
+    const double range = most.cut(measured);
+    auto& points = most.isReachedBy(measured) ? out.noReturns : out.points;
+    points.emplace_back(static_cast<float>(range * std::cos(angle)),
+                        static_cast<float>(range * std::sin(angle)), 0.0f);
   }
 }
 
@@ -65,11 +71,11 @@ void readLoaded(const CObservation3DRangeScan& scan, Points& points)
     zip(scan.points3D_x, scan.points3D_y, scan.points3D_z, points);
 }
 
-void readScan(const CObservation3DRangeScan& scan, SensorPoints& out, SayOnceLog&)
+/** Also if they have to be loaded, or made of the range image. */
+void readPoints(const CObservation3DRangeScan& scan, Points& points)
 {
-  if (scan.cameraParams.fx() > 0) out.azimuthStep = 1 / scan.cameraParams.fx();
-  readLoaded(scan, out.points);
-  if (!out.points.empty()) return;
+  readLoaded(scan, points);
+  if (!points.empty()) return;
   // Loading and unprojecting write into the observation.
   CObservation3DRangeScan copy = scan;
   // Copies of an image share their pixels: loading them would reach the original.
@@ -77,11 +83,20 @@ void readScan(const CObservation3DRangeScan& scan, SensorPoints& out, SayOnceLog
   copy.intensityImage = mrpt::img::CImage();
   copy.confidenceImage = mrpt::img::CImage();
   loadExternal(copy);
-  readLoaded(copy, out.points);
-  if (!out.points.empty() || !copy.hasRangeImage || copy.rangeImage.size() == 0) return;
+  readLoaded(copy, points);
+  if (!points.empty() || !copy.hasRangeImage || copy.rangeImage.size() == 0) return;
   mrpt::maps::CSimplePointsMap cloud;
   copy.unprojectInto(cloud);
-  zip(cloud, out.points);
+  zip(cloud, points);
+}
+
+void readScan(const CObservation3DRangeScan& scan, SensorPoints& out, SayOnceLog&)
+{
+  if (scan.cameraParams.fx() > 0) out.azimuthStep = 1 / scan.cameraParams.fx();
+  readPoints(scan, out.points);
+  MaxRange(scan.maxRange, scan.rangeUnits)
+      .sort(out, [depth = scan.range_is_depth](const TPoint3Df& point)
+            { return depth ? point.x : point.norm(); });
 }
 
 void readScan(const CObservationPointCloud& scan, SensorPoints& out, SayOnceLog&)
@@ -124,13 +139,13 @@ double stepOf(const CObservationVelodyneScan& scan)
   return mrpt::DEG2RAD(0.01 * *middle);
 }
 
-void readScan(const CObservationVelodyneScan& scan, SensorPoints& out, SayOnceLog& warnings)
+void readPoints(const CObservationVelodyneScan& scan, Points& points, SayOnceLog& warnings)
 {
-  if (!scan.scan_packets.empty()) out.azimuthStep = stepOf(scan);
   if (scan.point_cloud.size() > 0)
-    return zip(scan.point_cloud.x, scan.point_cloud.y, scan.point_cloud.z, out.points);
+    return zip(scan.point_cloud.x, scan.point_cloud.y, scan.point_cloud.z, points);
   if (scan.scan_packets.empty()) return;
   CObservationVelodyneScan copy = scan;
+  copy.maxRange = std::numeric_limits<double>::max();  // what lies beyond would not be generated
   if (copy.calibration.empty()) copy.calibration = shippedCalibration(modelOf(scan));
   if (copy.calibration.empty())
     return warnings.warnOnce(
@@ -138,12 +153,20 @@ void readScan(const CObservationVelodyneScan& scan, SensorPoints& out, SayOnceLo
   CObservationVelodyneScan::TGeneratePointCloudParameters params;
   params.minDistance = 0;  // the scan has its own minRange
   copy.generatePointCloud(params);
-  zip(copy.point_cloud.x, copy.point_cloud.y, copy.point_cloud.z, out.points);
+  zip(copy.point_cloud.x, copy.point_cloud.y, copy.point_cloud.z, points);
+}
+
+void readScan(const CObservationVelodyneScan& scan, SensorPoints& out, SayOnceLog& warnings)
+{
+  if (!scan.scan_packets.empty()) out.azimuthStep = stepOf(scan);
+  readPoints(scan, out.points, warnings);
+  MaxRange(scan.maxRange, CObservationVelodyneScan::DISTANCE_RESOLUTION)
+      .sort(out, [](const TPoint3Df& point) { return point.norm(); });
 }
 
 void readScan(const CObservationRotatingScan& scan, SensorPoints& out, SayOnceLog& warnings)
 {
-  if (!rotatingScanPoints(scan, out.points, &out.azimuthStep))
+  if (!rotatingScanPoints(scan, out))
     warnings.warnOnce("scans of the rotating scanner '" + scan.lidarModel +
                       "' are skipped: the elevation of its rows is not known");
 }
@@ -173,8 +196,7 @@ bool readAs(const CObservation& obs, SensorPoints& out, SayOnceLog& warnings)
 {
   const auto* scan = dynamic_cast<const Scan*>(&obs);
   if (!scan) return false;
-  out.points.clear();
-  out.azimuthStep = 0;
+  out.clear();
   try
   {
     readScan(*scan, out, warnings);
@@ -222,7 +244,7 @@ bool sensorPoints(const CObservation& obs, const mrpt::poses::CPose3D& robotPose
                     readAs<CObservationVelodyneScan>(obs, out, to) ||
                     readAs<CObservationRotatingScan>(obs, out, to);
   if (!read) return false;
-  if (const auto n = dropUnusable(out.points); n > 0)
+  if (const auto n = dropUnusable(out.points) + dropUnusable(out.noReturns); n > 0)
     to.warnOnceOf({"not finite", obs.GetRuntimeClass()->className, obs.sensorLabel},
                   [&]
                   {

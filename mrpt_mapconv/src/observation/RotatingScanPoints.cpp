@@ -4,6 +4,9 @@
 #include <cctype>
 #include <cmath>
 #include <type_traits>
+#include <vector>
+
+#include "MaxRange.h"
 
 namespace mrpt_mapconv::observation
 {
@@ -62,23 +65,32 @@ Columns columnsOf(const CObservationRotatingScan& scan)
   return {-scan.startAzimuth, step, step * perRow};
 }
 
-void planarPoints(const CObservationRotatingScan& scan, std::vector<TPoint3Df>& points)
+MaxRange maxRangeOf(const CObservationRotatingScan& scan)
+{
+  return MaxRange(scan.maxRange, scan.rangeResolution);
+}
+
+void planarPoints(const CObservationRotatingScan& scan, SensorPoints& out)
 {
   const Columns columns = describedColumns(scan);
+  const MaxRange most = maxRangeOf(scan);
   for (int column = 0; column < scan.rangeImage.cols(); ++column)
   {
-    const double range = scan.rangeImage(0, column) * scan.rangeResolution;
-    if (range <= 0) continue;
+    const double measured = scan.rangeImage(0, column) * scan.rangeResolution;
+    if (measured <= 0) continue;
+    const double range = most.cut(measured);
     const double azimuth = columns.azimuth(0, column);
+    auto& points = most.isReachedBy(measured) ? out.noReturns : out.points;
     points.emplace_back(static_cast<float>(range * std::cos(azimuth)),
                         static_cast<float>(range * std::sin(azimuth)), 0.0f);
   }
 }
 
 void calibratedPoints(const CObservationRotatingScan& scan, const VelodyneCalibration& calibration,
-                      std::vector<TPoint3Df>& points)
+                      SensorPoints& out)
 {
   const Columns columns = columnsOf(scan);
+  const MaxRange most = maxRangeOf(scan);
   for (int row = 0; row < scan.rangeImage.rows(); ++row)
   {
     const auto& laser = calibration.laser_corrections[static_cast<std::size_t>(row)];
@@ -86,11 +98,13 @@ void calibratedPoints(const CObservationRotatingScan& scan, const VelodyneCalibr
     const double aside = laser.horizontalOffsetCorrection;
     for (int column = 0; column < scan.rangeImage.cols(); ++column)
     {
-      const double range = scan.rangeImage(row, column) * scan.rangeResolution;
-      if (range <= 0 || range < scan.minRange || range > scan.maxRange) continue;
+      const double measured = scan.rangeImage(row, column) * scan.rangeResolution;
+      if (measured <= 0 || measured < scan.minRange) continue;
+      const double range = most.cut(measured);
       const double azimuth = columns.azimuth(row, column);
       const double level = range * laser.cosVertCorrection + height * laser.sinVertCorrection;
       const double c = std::cos(azimuth), s = std::sin(azimuth);
+      auto& points = most.isReachedBy(measured) ? out.noReturns : out.points;
       points.emplace_back(static_cast<float>(level * c - aside * s),
                           static_cast<float>(level * s + aside * c),
                           static_cast<float>(range * laser.sinVertCorrection + height));
@@ -124,22 +138,26 @@ double stepOf(const CObservationRotatingScan& scan)
   return std::abs(scan.rangeImage.rows() == 1 ? describedColumns(scan).step : columnsOf(scan).step);
 }
 
-bool loadedPoints(const CObservationRotatingScan& scan, std::vector<TPoint3Df>& points,
-                  double* azimuthStep)
+bool loadedPoints(const CObservationRotatingScan& scan, SensorPoints& out)
 {
-  if (azimuthStep) *azimuthStep = stepOf(scan);
+  out.azimuthStep = stepOf(scan);
   // One row first: newer MRPT's fromScan2D() fills organizedPoints in range units and not in
   // metres.
   if (scan.rangeImage.rows() == 1)
   {
-    planarPoints(scan, points);
+    planarPoints(scan, out);
     return true;
   }
-  if (organizedPoints(scan, points) || scan.rangeImage.size() == 0) return true;
+  if (organizedPoints(scan, out.points))
+  {
+    maxRangeOf(scan).sort(out, [](const TPoint3Df& point) { return point.norm(); });
+    return true;
+  }
+  if (scan.rangeImage.size() == 0) return true;
   const VelodyneCalibration& calibration = shippedCalibration(scan.lidarModel);
   if (calibration.laser_corrections.size() != static_cast<std::size_t>(scan.rangeImage.rows()))
     return false;
-  calibratedPoints(scan, calibration, points);
+  calibratedPoints(scan, calibration, out);
   return true;
 }
 
@@ -158,14 +176,13 @@ const VelodyneCalibration& shippedCalibration(const std::string& model)
   return VelodyneCalibration::LoadDefaultCalibration(name);
 }
 
-bool rotatingScanPoints(const CObservationRotatingScan& scan, std::vector<TPoint3Df>& points,
-                        double* azimuthStep)
+bool rotatingScanPoints(const CObservationRotatingScan& scan, SensorPoints& out)
 {
-  points.clear();
-  if (scan.rangeImage.size() != 0) return loadedPoints(scan, points, azimuthStep);
+  out.clear();
+  if (scan.rangeImage.size() != 0) return loadedPoints(scan, out);
   CObservationRotatingScan copy = scan;
   copy.load();
-  return loadedPoints(copy, points, azimuthStep);
+  return loadedPoints(copy, out);
 }
 
 }  // namespace mrpt_mapconv::observation

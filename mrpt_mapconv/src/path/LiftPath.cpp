@@ -255,7 +255,8 @@ LiftedPath liftPath(const std::vector<mrpt::math::TPoint2D>& path, const Layers&
     SphereLift sphere(layers, params.safetyRadius);
     lifted.slabsChecked = voxels != nullptr;
     if (voxels)
-      sphere.readSlabs(dense.points, *voxels, conversion.minRunVoxels(layers.frame().resolution));
+      sphere.readSlabs(dense.points, voxel::FilledSource(*voxels, conversion.reading),
+                       conversion.minRunVoxels(layers.frame().resolution));
     for (LiftedPoint& point : dense.points)
       if (point.problem == Infeasibility::None) sphere.lift(point, params.unknownIsPassable);
   }

@@ -70,24 +70,26 @@ void BeamVoxels::add(const octomap::OcTreeKey& key, std::vector<std::uint64_t>& 
   if (m_known.insert(code)) codes.push_back(code);
 }
 
-BeamVoxels::BeamVoxels(const octomap::OcTree& tree, const octomap::Pointcloud& cloud,
-                       const octomap::point3d& origin, double maxRange)
+BeamVoxels::BeamVoxels(const octomap::OcTree& tree, const octomap::Pointcloud& hits,
+                       const octomap::Pointcloud& misses, const octomap::point3d& origin,
+                       double maxRange)
 {
   const auto isWhole = [&](const octomap::point3d& end)
   { return maxRange < 0 || (end - origin).norm() <= maxRange; };
 
   octomap::OcTreeKey key;
-  for (const auto& end : cloud)  // before the free ones, which these win over
+  for (const auto& end : hits)  // before the free ones, which these win over
     if (isWhole(end) && tree.coordToKeyChecked(end, key)) add(key, m_hit);
 
   octomap::KeyRay ray;
-  for (const auto& end : cloud)
-  {
-    const auto last =
-        isWhole(end) ? end : origin + (end - origin).normalized() * static_cast<float>(maxRange);
-    if (!tree.computeRayKeys(origin, last, ray)) continue;
-    for (const auto& crossed : ray) add(crossed, m_free);
-  }
+  for (const auto* ends : {&hits, &misses})
+    for (const auto& end : *ends)
+    {
+      const auto last =
+          isWhole(end) ? end : origin + (end - origin).normalized() * static_cast<float>(maxRange);
+      if (!tree.computeRayKeys(origin, last, ray)) continue;
+      for (const auto& crossed : ray) add(crossed, m_free);
+    }
   std::sort(m_free.begin(), m_free.end());
   std::sort(m_hit.begin(), m_hit.end());
 }

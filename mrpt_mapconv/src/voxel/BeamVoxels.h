@@ -18,10 +18,11 @@ namespace mrpt_mapconv::voxel
 class BeamVoxels
 {
  public:
-  /** \param cloud ends of the beams, in the map's frame [m]
+  /** \param hits ends of the beams, in the map's frame [m]
+   * \param misses likewise, of those beams that end in no obstacle
    * \param maxRange longest part of a beam [m]; −1: all of it */
-  BeamVoxels(const octomap::OcTree& tree, const octomap::Pointcloud& cloud,
-             const octomap::point3d& origin, double maxRange);
+  BeamVoxels(const octomap::OcTree& tree, const octomap::Pointcloud& hits,
+             const octomap::Pointcloud& misses, const octomap::point3d& origin, double maxRange);
 
   /** Updates the tree: a miss for each free voxel, a hit for each one in which a beam ends. */
   void insertInto(octomap::OcTree& tree, bool lazy) const;

@@ -1,6 +1,7 @@
 #include <mrpt_mapconv/voxel/ColumnBlock.h>
 
 #include <algorithm>
+#include <array>
 
 namespace mrpt_mapconv::voxel
 {
@@ -35,7 +36,15 @@ void ColumnBlock::start(BlockKey key, const ColumnMask& wanted)
 void ColumnBlock::setHeight(std::int32_t zBegin, std::int32_t zEnd)
 {
   m_zMin = floorTo32(zBegin);
-  m_words = (zEnd - m_zMin + 63) / 64;
+  m_words = 0;
+  growTo((zEnd - m_zMin + 63) / 64);
+}
+
+/** Adds words in which nothing is known, up to `words` a column. */
+void ColumnBlock::growTo(std::int32_t words)
+{
+  const std::int32_t first = m_words;
+  m_words = words;
   const auto size = static_cast<std::size_t>(m_words) * kBlockColumns;
   if (m_free.size() < size)
   {
@@ -43,7 +52,7 @@ void ColumnBlock::setHeight(std::int32_t zBegin, std::int32_t zEnd)
     m_occupied.resize(size);
   }
   if (m_rowBegin >= m_rowEnd) return;
-  for (std::int32_t w = 0; w < m_words; ++w)
+  for (std::int32_t w = first; w < m_words; ++w)
     for (auto* plane : {&m_free, &m_occupied})
       std::fill_n(plane->begin() + w * kBlockColumns + m_rowBegin * kBlockSide,
                   (m_rowEnd - m_rowBegin) * kBlockSide, 0);
@@ -59,6 +68,27 @@ void ColumnBlock::markSlab(std::int32_t zBegin, std::int32_t zEnd, bool occupied
     std::uint64_t* word = plane.data() + static_cast<std::size_t>(z >> 6) * kBlockColumns;
     for (std::int32_t c = 0; c < kBlockColumns; ++c) word[c] |= voxels;
     z += count;
+  }
+}
+
+void ColumnBlock::freeUnknownAboveOccupied(std::int32_t zLast)
+{
+  const std::int32_t height = zLast + 1 - m_zMin;
+  if (m_words == 0 || height <= 0) return;
+  growTo(std::max(m_words, (height + 63) / 64));
+  std::array<std::uint64_t, kBlockColumns> above{};  // all bits, once a voxel below is occupied
+  for (std::int32_t w = 0; 64 * w < height; ++w)
+  {
+    const std::uint64_t low = bits(0, std::min(64, height - 64 * w));
+    const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(w) * kBlockColumns;
+    for (std::int32_t c = m_rowBegin * kBlockSide; c < m_rowEnd * kBlockSide; ++c)
+    {
+      const std::uint64_t occupied = m_occupied[static_cast<std::size_t>(at + c)];
+      auto& fromHere = above[static_cast<std::size_t>(c)];
+      fromHere |= occupied | (~occupied + 1);  // from the lowest occupied voxel on; or nothing
+      m_free[static_cast<std::size_t>(at + c)] |= fromHere & ~occupied & low;
+      fromHere = ~((fromHere >> 63) - 1);
+    }
   }
 }
 

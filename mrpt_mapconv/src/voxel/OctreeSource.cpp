@@ -67,6 +67,22 @@ class BoundsSearch
   KeyRect m_box{kTreeSide, kTreeSide, -1, -1};
 };
 
+/** The highest OctoMap z key of the leaves below a node whose lowest voxel is z; `best` if none is
+ * higher. What could not be higher is not entered. */
+template <class Node>
+std::int32_t highestKey(const Node* node, std::int32_t z, std::int32_t size, std::int32_t best)
+{
+  const std::int32_t last = z + size - 1;
+  if (last <= best) return best;
+  const Children<Node> children(node);
+  if (size == 1 || !children.any()) return last;
+  const std::int32_t half = size / 2;
+  for (const unsigned i : {4u, 5u, 6u, 7u, 0u, 1u, 2u, 3u})
+    if (const Node* child = children[i])
+      best = highestKey(child, z + (i & 4 ? half : 0), half, best);
+  return best;
+}
+
 /** A node that lies within a block's columns, or covers them all. */
 template <class Node>
 struct StackedNode
@@ -222,6 +238,14 @@ std::optional<KeyRect> OctreeSource<Tree>::bounds() const
   const KeyRect& box = search.box();
   return KeyRect{box.xMin - kOctomapKeyOffset, box.yMin - kOctomapKeyOffset,
                  box.xMax - kOctomapKeyOffset, box.yMax - kOctomapKeyOffset};
+}
+
+template <class Tree>
+std::optional<std::int32_t> OctreeSource<Tree>::top() const
+{
+  if (!m_tree.getRoot()) return std::nullopt;
+  return highestKey<typename Tree::NodeType>(m_tree.getRoot(), 0, kTreeSide, -1) -
+         kOctomapKeyOffset;
 }
 
 template <class Tree>

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 #include <stdexcept>
+#include <vector>
 
 #include "BeamVoxels.h"
 
@@ -58,28 +59,37 @@ octomap::OcTreeKey sensorKey(const octomap::OcTree& tree, const observation::Sen
   return key;
 }
 
-/** The scan's points in the map frame, without those whose beams leave the tree. */
-octomap::Pointcloud toCloud(const octomap::OcTree& tree, const observation::SensorPoints& scan,
-                            const octomap::point3d& origin, double maxRange,
-                            observation::SayOnceLog* warnings)
+/** The beams of a scan that stay in the tree, by their ends in the map frame. */
+struct Beams
 {
-  octomap::Pointcloud cloud;
-  cloud.reserve(scan.points.size());
+  octomap::Pointcloud hits, misses;  // misses: beams without return
+};
+
+Beams beamsOf(const octomap::OcTree& tree, const observation::SensorPoints& scan,
+              const octomap::point3d& origin, double maxRange, observation::SayOnceLog* warnings)
+{
+  Beams beams;
   std::size_t outside = 0;
-  for (const auto& point : scan.points)
+  const auto add = [&](const std::vector<mrpt::math::TPoint3Df>& points, octomap::Pointcloud& ends)
   {
-    const auto end = inMap(scan, point);
-    if (endKey(tree, origin, end, maxRange))
-      cloud.push_back(end);
-    else
-      ++outside;
-  }
+    ends.reserve(points.size());
+    for (const auto& point : points)
+    {
+      const auto end = inMap(scan, point);
+      if (endKey(tree, origin, end, maxRange))
+        ends.push_back(end);
+      else
+        ++outside;
+    }
+  };
+  add(scan.points, beams.hits);
+  add(scan.noReturns, beams.misses);
   if (outside && warnings)
     warnings->warn(std::to_string(outside) +
                    " points left out: farther from the map's origin than " +
                    std::to_string(kKeyOffset * tree.getResolution()) +
                    " m, the reach of a tree of this resolution");
-  return cloud;
+  return beams;
 }
 
 voxel::ColumnSet changedColumns(octomap::OcTree& tree)
@@ -106,10 +116,11 @@ grid::GridFrame frameOfScan(const octomap::OcTree& tree, const observation::Sens
   };
   const auto origin = originOf(scan);
   grid::GridFrame frame = at(sensorKey(tree, scan));
-  for (const auto& point : scan.points)
-    if (const auto key = endKey(tree, origin, inMap(scan, point), options.maxrange))
-      if (!frame.containsKey((*key)[0] - kKeyOffset, (*key)[1] - kKeyOffset))
-        frame = unite(frame, at(*key));
+  for (const auto* points : {&scan.points, &scan.noReturns})
+    for (const auto& point : *points)
+      if (const auto key = endKey(tree, origin, inMap(scan, point), options.maxrange))
+        if (!frame.containsKey((*key)[0] - kKeyOffset, (*key)[1] - kKeyOffset))
+          frame = unite(frame, at(*key));
   return frame;
 }
 
@@ -119,9 +130,9 @@ voxel::ColumnSet insertScan(octomap::OcTree& tree, const observation::SensorPoin
 {
   const auto origin = originOf(scan);
   sensorKey(tree, scan);  // checks it
-  const auto cloud = toCloud(tree, scan, origin, options.maxrange, warnings);
+  const Beams beams = beamsOf(tree, scan, origin, options.maxrange, warnings);
 
-  const BeamVoxels voxels(tree, cloud, origin, options.maxrange);
+  const BeamVoxels voxels(tree, beams.hits, beams.misses, origin, options.maxrange);
   const float threshold = tree.getOccupancyThresLog();
   options.applyTo(tree);
   const bool lazy = !options.pruning;  // a lazy insertion leaves the tree unpruned
@@ -149,7 +160,7 @@ InsertedScans insertScans(octomap::OcTree& tree,
     try
     {
       const auto scan = observation::sensorPoints(*observation, robotPose, warnings);
-      if (!scan || scan->points.empty()) continue;
+      if (!scan || scan->empty()) continue;
       inserted.changed.insert(insertScan(tree, *scan, options, warnings));
       ++inserted.scans;
       inserted.points += scan->points.size();

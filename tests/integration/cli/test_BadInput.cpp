@@ -150,20 +150,17 @@ TEST(BadInput, leavesEarlierResultsAlone)
   EXPECT_EQ(before, after);
 }
 
-TEST(BadInput, anOctreeWithoutFreeVoxelsGivesUnknownLayersAndAWarning)
+TEST(BadInput, anOctreeWithoutFreeVoxelsIsAnErrorAndNoFolder)
 {
   const TempDir dir;
   writeTree(treeOf(0.5, {{"oo", "o"}}, 0, 0), dir.path("solid.bt"));
   const auto run = mapconv(
       {"convert", dir.path("solid.bt"), "-o", dir.path("out"), "--max-step", "0.1", "--json"});
-  EXPECT_EQ(0, run.status);
-  EXPECT_EQ(1, warningsIn(run.err)) << run.err;
-  EXPECT_TRUE(contains(run.err, "minClearance = 1 ")) << run.err;
-  const JsonValue json = parseJson(run.out);
-  EXPECT_EQ(0, json["free"].number);
-  EXPECT_EQ(0, json["occupied"].number);
-  EXPECT_EQ(2, json["unknown"].number);
-  EXPECT_TRUE(fs::exists(dir.path("out/layers.tif")));
+  EXPECT_EQ(1, run.status);
+  EXPECT_TRUE(isOneError(run.err)) << run.err;
+  EXPECT_TRUE(contains(run.err, "solid.bt: no voxel of the map is free")) << run.err;
+  EXPECT_EQ("", run.out);
+  EXPECT_FALSE(fs::exists(dir.path("out")));
 }
 
 TEST(BadOutput, aFullDiskLeavesNothingNewAndNothingChanged)

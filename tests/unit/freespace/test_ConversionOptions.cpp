@@ -9,6 +9,7 @@
 using namespace mrpt_mapconv::freespace;
 using mrpt::config::CConfigFileMemory;
 using mrpt_mapconv::voxel::TVoxelInsertionOptions;
+using mrpt_mapconv::voxel::Unknown;
 
 namespace
 {
@@ -36,6 +37,7 @@ TEST(ConversionOptions, DefaultsAreTheGroundRobotAndThePapersTable)
   EXPECT_EQ(options.params.slopeWindow, 2);
   EXPECT_EQ(options.params.maxSlope, 2.0);
   EXPECT_EQ(options.params.maxStep, 0.0);
+  EXPECT_EQ(options.params.reading.unknown, Unknown::Unknown);
 }
 
 TEST(ConversionOptions, ReadsEveryKey)
@@ -43,7 +45,7 @@ TEST(ConversionOptions, ReadsEveryKey)
   TConversionOptions options;
   ASSERT_EQ(failure(options,
                     "robot=aerial\nminClearance=0.4\nminOccupancy=0.25\nslopeWindow=3\n"
-                    "maxSlope=0.7\nmaxStep=0.15"),
+                    "maxSlope=0.7\nmaxStep=0.15\nunknown=free"),
             "");
   EXPECT_EQ(options.robot, Robot::Aerial);
   EXPECT_EQ(options.params.minClearance, 0.4);
@@ -51,6 +53,7 @@ TEST(ConversionOptions, ReadsEveryKey)
   EXPECT_EQ(options.params.slopeWindow, 3);
   EXPECT_EQ(options.params.maxSlope, 0.7);
   EXPECT_EQ(options.params.maxStep, 0.15);
+  EXPECT_EQ(options.params.reading.unknown, Unknown::Free);
 }
 
 TEST(ConversionOptions, ABadValueNamesSectionKeyAndValueAndChangesNothing)
@@ -64,7 +67,8 @@ TEST(ConversionOptions, ABadValueNamesSectionKeyAndValueAndChangesNothing)
            {"slopeWindow=0", "section 's': slopeWindow = 0"},
            {"slopeWindow=2.5", "section 's': slopeWindow = '2.5'"},
            {"maxSlope=nan", "section 's': maxSlope = 'nan'"},
-           {"maxStep=-0.1", "section 's': maxStep = -0.1"}})
+           {"maxStep=-0.1", "section 's': maxStep = -0.1"},
+           {"unknown=occupied", "section 's': unknown = 'occupied'"}})
   {
     TConversionOptions options;
     const auto message = failure(options, "minOccupancy=0.1\n" + line);
@@ -77,7 +81,7 @@ TEST(ConversionOptions, WritesAndReadsBack)
 {
   TConversionOptions options;
   options.robot = Robot::Aerial;
-  options.params = {0.4, 0.25, 3, 0.7, 0.15};
+  options.params = {0.4, 0.25, 3, 0.7, 0.15, {Unknown::Free}};
   mrpt::io::CMemoryStream memory;
   auto archive = mrpt::serialization::archiveFrom(memory);
   options.writeToStream(archive);
@@ -90,6 +94,7 @@ TEST(ConversionOptions, WritesAndReadsBack)
   EXPECT_EQ(read.params.slopeWindow, 3);
   EXPECT_EQ(read.params.maxSlope, 0.7);
   EXPECT_EQ(read.params.maxStep, 0.15);
+  EXPECT_EQ(read.params.reading.unknown, Unknown::Free);
 
   CConfigFileMemory ini;
   options.saveToConfigFile(ini, "x");
@@ -97,6 +102,7 @@ TEST(ConversionOptions, WritesAndReadsBack)
   fromIni.loadFromConfigFile(ini, "x");
   EXPECT_EQ(fromIni.robot, Robot::Aerial);
   EXPECT_EQ(fromIni.params.maxStep, 0.15);
+  EXPECT_EQ(fromIni.params.reading.unknown, Unknown::Free);
 }
 
 TEST(VoxelInsertionOptions, ReadsEveryKeyNamedAsInCOctoMap)

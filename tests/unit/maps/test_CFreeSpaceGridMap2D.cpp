@@ -199,6 +199,18 @@ TEST(CFreeSpaceGridMap2D, AScanTooLargeForTheLayersIsRefusedAndTheMapStaysAsItWa
   EXPECT_EQ(map.octree().size(), nodes);
 }
 
+TEST(CFreeSpaceGridMap2D, AVoxelMapWithoutFreeVoxelsIsNamedWithWhatHelps)
+{
+  testing::internal::CaptureStdout();
+  testing::internal::CaptureStderr();
+  CFreeSpaceGridMap2D map;
+  octomap::OcTree tree(0.2);
+  column(tree, 0, 0, 0, '#', 2);
+  map.setVoxelMap(tree);
+  const auto said = testing::internal::GetCapturedStdout() + testing::internal::GetCapturedStderr();
+  EXPECT_NE(said.find("unknown = free"), std::string::npos) << said;
+}
+
 TEST(CFreeSpaceGridMap2D, WarnsOnceWhenNothingIsFreeAndNamesMinClearance)
 {
   testing::internal::CaptureStdout();

@@ -233,6 +233,30 @@ TEST(CFreeSpaceGridMap2D_io, ATreeWithExtremeClampingCanBeExtendedAndCopied)
   expectSameFuture(map, *copy);
 }
 
+TEST(CFreeSpaceGridMap2D_io, UnknownFreeFollowsTheMapsHighestVoxelAndSurvives)
+{
+  octomap::OcTree tree(0.2);
+  column(tree, 0, 0, 0, '#', 1);
+  column(tree, 3, 0, 9, '#', 1);
+  CFreeSpaceGridMap2D map;
+  auto options = map.conversionOptions();
+  options.params.reading.unknown = voxel::Unknown::Free;
+  map.setConversionOptions(options);
+  map.setVoxelMap(tree);
+  const auto ceiling = [&map]
+  {
+    const auto layers = map.exactLayers();
+    return layers.ceiling.cells()[layers.frame().indexOfKey(0, 0)];
+  };
+  EXPECT_NEAR(2.0, ceiling(), 1e-6);
+  EXPECT_TRUE(map.insertObservation(roomScan(0), mrpt::poses::CPose3D(0, 0, 1)));
+  EXPECT_LT(3.0, ceiling());
+  auto copy = roundTrip(map);
+  ASSERT_TRUE(copy);
+  EXPECT_EQ(voxel::Unknown::Free, copy->conversionOptions().params.reading.unknown);
+  expectSameFuture(map, *copy);
+}
+
 TEST(CFreeSpaceGridMap2D_io, AFileLeavesTheSensorModelOfTheOptions)
 {
   const TempDir dir;

@@ -90,6 +90,22 @@ TEST(CScanShapeGridMap2D, A2DScanClaimsNoMoreRoomThanItsRaysNeed)
   EXPECT_LT(cellAt(ahead, 119, 0) + cellAt(ahead, 120, 0), 0) << "the end of the rays";
 }
 
+TEST(CScanShapeGridMap2D, RangesOfA2DScanFromItsMaxRangeOnFreeAndOccupyNothing)
+{
+  auto map = mapForRooms();
+  const auto options = map.insertionOptions;
+  auto scan = scan2DOf(Room{-3, 13, -2, 2, 2.5}, CPose3D());
+  scan.maxRange = 4.1f;
+  scan.aperture = 0.2f;
+  for (std::size_t i = 0; i < scan.getScanSize(); ++i)
+    scan.setScanRange(i, i % 2 == 0 ? 4.1f : 9.0f);
+  ASSERT_TRUE(map.insertObservation(scan, CPose3D()));
+  EXPECT_EQ(0u, countCells(map, [](int cell) { return cell < 0; }));
+  EXPECT_GT(cellAt(map, 39, 0), 0);
+  EXPECT_EQ(0, cellAt(map, 42, 0));
+  EXPECT_EQ(options.maxDistanceInsertion, map.insertionOptions.maxDistanceInsertion);
+}
+
 /** MRPT lays rays of maxDistanceInsertion / 2, or of half the last valid one. */
 TEST(CScanShapeGridMap2D, InvalidRaysOfA2DScanHaveRoom)
 {

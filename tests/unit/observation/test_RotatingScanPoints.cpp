@@ -26,9 +26,9 @@ CObservationRotatingScan scan(const std::string& model, int rows, int columns)
 
 std::vector<TPoint3Df> pointsOf(const CObservationRotatingScan& s)
 {
-  std::vector<TPoint3Df> points;
-  EXPECT_TRUE(rotatingScanPoints(s, points));
-  return points;
+  SensorPoints out;
+  EXPECT_TRUE(rotatingScanPoints(s, out));
+  return out.points;
 }
 
 void expectNear(const TPoint3Df& p, double x, double y, double z)
@@ -115,12 +115,13 @@ TEST(RotatingScanPoints, OneRowNeedsNoModel)
 
 TEST(RotatingScanPoints, RowsMustFitTheModel)
 {
-  std::vector<TPoint3Df> points{{1, 2, 3}};
-  EXPECT_FALSE(rotatingScanPoints(scan("VLP-16", 32, 8), points));
-  EXPECT_TRUE(points.empty());
-  EXPECT_FALSE(rotatingScanPoints(scan("Unknown", 16, 8), points));
-  EXPECT_TRUE(rotatingScanPoints(CObservationRotatingScan(), points));
-  EXPECT_TRUE(points.empty());
+  SensorPoints out;
+  out.points = {{1, 2, 3}};
+  EXPECT_FALSE(rotatingScanPoints(scan("VLP-16", 32, 8), out));
+  EXPECT_TRUE(out.points.empty());
+  EXPECT_FALSE(rotatingScanPoints(scan("Unknown", 16, 8), out));
+  EXPECT_TRUE(rotatingScanPoints(CObservationRotatingScan(), out));
+  EXPECT_TRUE(out.points.empty());
 }
 
 }  // namespace mrpt_mapconv::observation

@@ -94,3 +94,36 @@ TEST(InsertedVoxels, AreThoseOfOctoMapWithoutPruning)
   options.pruning = false;
   expectSameTrees(options, {});
 }
+
+/** Beams one by one: what none of them hits is free where one goes through. */
+TEST(InsertedVoxels, AreThoseOfTheSlowTwinWithBeamsWithoutReturn)
+{
+  for (unsigned seed = 1; seed <= 5; ++seed)
+  {
+    std::mt19937 random(seed);
+    octomap::OcTree tree(0.1), twin(0.1);
+    SensorPoints scan = randomScan(random, {});
+    scan.noReturns = randomScan(random, {}).points;
+    insertScan(tree, scan, {});
+
+    const auto inMap = [&scan](const mrpt::math::TPoint3Df& point)
+    {
+      double x = 0, y = 0, z = 0;
+      scan.sensorPose.composePoint(point.x, point.y, point.z, x, y, z);
+      return octomap::point3d(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z));
+    };
+    octomap::KeySet hits, crossed;
+    octomap::KeyRay ray;
+    for (const auto& point : scan.points) hits.insert(twin.coordToKey(inMap(point)));
+    for (const auto* ends : {&scan.points, &scan.noReturns})
+      for (const auto& end : *ends)
+      {
+        ASSERT_TRUE(twin.computeRayKeys(inMap({0, 0, 0}), inMap(end), ray));
+        crossed.insert(ray.begin(), ray.end());
+      }
+    for (const auto& key : crossed)
+      if (hits.count(key) == 0) twin.updateNode(key, false);
+    for (const auto& key : hits) twin.updateNode(key, true);
+    EXPECT_TRUE(bytesOf(tree) == bytesOf(twin)) << "seed " << seed;
+  }
+}

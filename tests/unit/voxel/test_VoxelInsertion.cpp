@@ -70,6 +70,35 @@ TEST(VoxelInsertion, MaxRangeLeavesTheEndOut)
   EXPECT_EQ(stateAt(tree, 4.5, 0.5, 0.5), State::Unknown);
 }
 
+TEST(VoxelInsertion, ABeamWithoutReturnFreesAndOccupiesNothing)
+{
+  octomap::OcTree tree(1.0);
+  auto seen = scan({}, {0.5, 0.5, 0.5, 0, 0, 0});
+  seen.noReturns = {{4, 0, 0}};
+  const auto changed = insertScan(tree, seen, {});
+  EXPECT_EQ(stateAt(tree, 3.5, 0.5, 0.5), State::Free);
+  EXPECT_EQ(stateAt(tree, 4.5, 0.5, 0.5), State::Unknown);
+  EXPECT_EQ(4u, changed.size());
+  EXPECT_EQ((grid::GridFrame{1.0, 0, 0, 5, 1}), voxel::frameOfScan(tree, seen, {}));
+
+  TVoxelInsertionOptions options;
+  options.maxrange = 2.5;
+  octomap::OcTree shorter(1.0);
+  insertScan(shorter, seen, options);
+  EXPECT_EQ(stateAt(shorter, 1.5, 0.5, 0.5), State::Free);
+  EXPECT_EQ(stateAt(shorter, 3.5, 0.5, 0.5), State::Unknown);
+}
+
+TEST(VoxelInsertion, AReturnWinsOverABeamWithoutOne)
+{
+  octomap::OcTree tree(1.0);
+  auto seen = scan({{2, 0, 0}}, {0.5, 0.5, 0.5, 0, 0, 0});
+  seen.noReturns = {{4, 0, 0}};
+  insertScan(tree, seen, {});
+  EXPECT_EQ(stateAt(tree, 2.5, 0.5, 0.5), State::Occupied);
+  EXPECT_EQ(stateAt(tree, 3.5, 0.5, 0.5), State::Free);
+}
+
 TEST(VoxelInsertion, PruningMergesEqualVoxelsAndWithoutItNothingIsMerged)
 {
   for (const bool pruning : {true, false})

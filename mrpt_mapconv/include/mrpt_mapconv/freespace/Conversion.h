@@ -5,6 +5,9 @@
 #include <mrpt_mapconv/voxel/ColumnSet.h>
 #include <mrpt_mapconv/voxel/VoxelSource.h>
 
+#include <cstdint>
+#include <optional>
+
 namespace mrpt_mapconv::freespace
 {
 /** The frame of a voxel map: the xy bounding box, in keys, of all known voxels.
@@ -21,7 +24,7 @@ grid::GridFrame grownFrame(const grid::GridFrame& frame, const grid::GridFrame& 
 
 /** Converts a whole voxel map by free-space projection (Fredriksson et al. 2024, eqs. 1–8).
  *
- * \param source the voxel map
+ * \param source the voxel map; params.reading says how it is read
  * \param params checked first
  * \param threads number of threads; 0 = all cores
  * \return the five layers on frameOf(source); all unknown if no free range is kept
@@ -59,7 +62,8 @@ class IncrementalLayers
   void rebuild(const voxel::VoxelSource& source, const grid::GridFrame& frame);
   /** Follows a change of the source in the columns `changed` (a superset is fine). Should it throw
    * half way, the next update converts everything anew.
-   * \return true if the frame has changed */
+   * \return true if others than what depends on `changed` may have changed, too: the frame did, or
+   * the height up to which unknown voxels are free */
   bool update(const voxel::VoxelSource& source, const voxel::ColumnSet& changed);
   /** Forgets everything: empty layers. */
   void clear();
@@ -68,9 +72,12 @@ class IncrementalLayers
   void follow(const voxel::VoxelSource& source, const voxel::ColumnSet& changed,
               const grid::GridFrame& frame);
 
+  void rebuildFilled(const voxel::FilledSource& source, const grid::GridFrame& frame);
+
   ConversionParams m_params;
   int m_threads;
   Layers m_layers;
+  std::optional<std::int32_t> m_freeUpTo;  //!< that m_layers were made with
   bool m_unfinished = false;  //!< an update was broken off: the layers hold some of a change
 };
 

@@ -11,7 +11,7 @@ struct TConversionOptions : public params::ListedOptions<TConversionOptions>
 {
   static constexpr const char* kName = "TConversionOptions";
   static constexpr const char* kStreamName = "conversion options";
-  static constexpr std::uint8_t kStreamVersion = 0;
+  static constexpr std::uint8_t kStreamVersion = 1;
 
   Robot robot = Robot::Ground;
   ConversionParams params;

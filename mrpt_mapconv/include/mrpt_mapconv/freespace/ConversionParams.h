@@ -1,6 +1,7 @@
 #pragma once
 
 #include <mrpt_mapconv/params/Fields.h>
+#include <mrpt_mapconv/voxel/UnknownVoxels.h>
 
 #include <cstdint>
 
@@ -15,6 +16,7 @@ struct ConversionParams
   std::int32_t slopeWindow = 2;  //!< S_A: half side of the slope's window [cells], 1 … 100
   double maxSlope = 2.0;         //!< R_MS: a ground robot's steepest slope [m/m]
   double maxStep = 0.0;  //!< highest step between 8-neighbours for a ground robot [m]; 0 = off
+  voxel::ReadingParams reading = {};  //!< how the voxel map is read
 
   template <class S, class V>
   static void visit(S& p, V&& v)
@@ -27,6 +29,7 @@ struct ConversionParams
       "half side of the window over which a cell's slope is fitted", flag("N"));
     v("maxSlope", p.maxSlope, "m/m", "steepest slope for a ground robot", flag("S"));
     v("maxStep", p.maxStep, "m", "highest step for a ground robot; 0 = not looked at", flag("M"));
+    voxel::ReadingParams::visit(p.reading, v);
   }
   /** \exception std::invalid_argument naming the parameter, its value and what would be right */
   void check() const;

@@ -1,24 +1,15 @@
 #pragma once
 
-#include <mrpt/math/TPoint3D.h>
 #include <mrpt/obs/CObservation.h>
 #include <mrpt/poses/CPose3D.h>
 #include <mrpt_mapconv/observation/SayOnceLog.h>
+#include <mrpt_mapconv/observation/SensorPoints.h>
 
 #include <optional>
 #include <string>
-#include <vector>
 
 namespace mrpt_mapconv::observation
 {
-/** What a range sensor saw at one moment. */
-struct SensorPoints
-{
-  mrpt::poses::CPose3D sensorPose;            //!< sensor frame -> map: robot ⊕ sensor on robot
-  std::vector<mrpt::math::TPoint3Df> points;  //!< in the sensor frame [m]; finite, not (0,0,0)
-  double azimuthStep = 0;  //!< between neighbouring columns of the sensor [rad]; 0: not known
-};
-
 /** True for the classes that sensorPoints() reads. */
 bool isScan(const mrpt::obs::CObservation& obs);
 /** True for those of them that are 3D data: all but CObservation2DRangeScan. */
@@ -33,8 +24,12 @@ std::string nameOf(const mrpt::obs::CObservation& obs);
  * - CObservation3DRangeScan: its points, or the unprojected range image if it has none;
  * - CObservationPointCloud: its cloud;
  * - CObservationVelodyneScan: its cloud, or the one MRPT generates from the packets, limited only
- * by the scan's own minRange and maxRange;
+ * by the scan's own minRange;
  * - CObservationRotatingScan: see rotatingScanPoints().
+ *
+ * A return at the scan's maxRange or beyond it is none: the beam, cut there, goes to noReturns. A
+ * point cloud has no maxRange. Of images of depths it is a depth, along the camera's axis. What is
+ * marked as invalid (range 0, a ray that is not valid) gives neither.
  *
  * Nothing is thinned out. Points without return, that is (0, 0, 0), are dropped, as are points with
  * NaN or infinite coordinates; of the latter a warning gives the number. Externally stored data are

@@ -89,6 +89,17 @@ void visitFields(Params& params, V&& v)
   FieldsOf<std::remove_const_t<Params>>::visit(params, v);
 }
 
+/** Whether the list of a struct has a field of that name. */
+template <class Params>
+bool hasField(const std::string& name)
+{
+  bool found = false;
+  const Params params;
+  visitFields(params, [&](const char* field, const auto&, const char*, const char*, About = {})
+              { found |= field == name; });
+  return found;
+}
+
 template <class Field>
 constexpr bool isDegrees = false;
 template <class Number>

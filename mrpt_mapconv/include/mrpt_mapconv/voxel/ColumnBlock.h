@@ -67,6 +67,10 @@ class ColumnBlock
     if (occupied) orPairs(m_occupied.data() + at, occupied, shift);
   }
 
+  /** Marks as free, in each column with an occupied voxel, the unknown voxels from its lowest
+   * occupied one up to z key zLast. Called after the source has marked what it knows. */
+  void freeUnknownAboveOccupied(std::int32_t zLast);
+
   BlockKey key() const { return m_key; }
   const ColumnMask& wanted() const { return m_wanted; }
   /** Rows [rowBegin(), rowEnd()) hold all wanted columns; what the planes hold elsewhere is not
@@ -93,6 +97,8 @@ class ColumnBlock
     column[kBlockSide + 1] |= static_cast<std::uint64_t>((octet >> 3 & 1u) | (octet >> 6 & 2u))
                               << shift;
   }
+
+  void growTo(std::int32_t words);
 
   BlockKey m_key;
   ColumnMask m_wanted{};

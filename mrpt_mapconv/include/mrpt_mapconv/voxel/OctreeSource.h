@@ -29,6 +29,7 @@ class OctreeSource : public VoxelSource
   double resolution() const override;
   std::optional<KeyRect> bounds() const override;
   void read(ColumnBlock& block) const override;
+  std::optional<std::int32_t> top() const override;
 
  private:
   const Tree& m_tree;

@@ -21,7 +21,8 @@ namespace mrpt_mapconv::voxel
 grid::GridFrame frameOfScan(const octomap::OcTree& tree, const observation::SensorPoints& scan,
                             const TVoxelInsertionOptions& options);
 
-/** Inserts a scan into a voxel map: free along each beam, occupied at its end.
+/** Inserts a scan into a voxel map: free along each beam, occupied at its end if something
+ * returned from there.
  *
  * \param scan its points and the pose of the sensor in the map
  * \param warnings told of points that lie outside the tree's range of ±32768 voxels (left out)
@@ -40,7 +41,7 @@ struct InsertedScans
 };
 
 /** Inserts scans into a voxel map one after another, each as insertScan() does. Passed over are
- * observations of other classes, scans without points and, unless `options.insert2D`, 2D scans.
+ * observations of other classes, scans without beams and, unless `options.insert2D`, 2D scans.
  *
  * \param warnings told of what could not be used; may be null
  * \param progress told, before each scan, the share of them that is done, [0, 1); may be empty

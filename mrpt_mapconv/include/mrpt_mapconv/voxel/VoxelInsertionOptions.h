@@ -38,13 +38,17 @@ struct TVoxelInsertionOptions : public params::ListedOptions<TVoxelInsertionOpti
     v("clampingThresMax", o.clampingThresMax, "", "highest probability of a voxel");
     v("insert2D", o.insert2D, "", "insert 2D range scans, too");
   }
-  /** \exception std::invalid_argument naming the option, its value and what would be right */
+  /** \exception std::invalid_argument naming the option, its value and what would be right; also
+   * for options that exclude each other: no voxel could be occupied, or none free */
   void check() const;
 
   /** Gives the tree this sensor model (the five probabilities). */
   void applyTo(octomap::OcTree& tree) const;
   /** Takes over a tree's sensor model. */
   void adoptFrom(const octomap::OcTree& tree);
+
+ private:
+  void checkTogether() const;
 };
 
 }  // namespace mrpt_mapconv::voxel

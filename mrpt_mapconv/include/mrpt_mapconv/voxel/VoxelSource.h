@@ -44,6 +44,12 @@ class VoxelSource
   virtual std::optional<KeyRect> bounds() const = 0;
   /** Marks all known voxels of the block's wanted columns, after ColumnBlock::start(). */
   virtual void read(ColumnBlock& block) const = 0;
+  /** z key of the highest known voxel; nothing if none is known. Reads the whole map, unless the
+   * source knows a shorter way. */
+  virtual std::optional<std::int32_t> top() const;
 };
+
+/** Whether any voxel of a map is free. */
+bool hasFreeVoxel(const VoxelSource& source);
 
 }  // namespace mrpt_mapconv::voxel

@@ -1,0 +1,69 @@
+#include <mrpt_mapconv/voxel/ColumnSet.h>
+#include <mrpt_mapconv/voxel/VoxelSource.h>
+
+#include <algorithm>
+
+namespace mrpt_mapconv::voxel
+{
+namespace
+{
+/** Reads block by block all that is known, until visit(block) says that it has seen enough. */
+template <class Visit>
+void readBlocks(const VoxelSource& source, const Visit& visit)
+{
+  const auto box = source.bounds();
+  if (!box) return;
+  const auto columns = ColumnSet::of(frameOf(*box, source.resolution()));
+  ColumnMask all;
+  all.fill(kFullRow);
+  ColumnBlock block;
+  for (const auto& [key, mask] : columns.blocks())
+  {
+    block.start(key, all);
+    source.read(block);
+    if (visit(block)) return;
+  }
+}
+
+/** z key of the block's highest known voxel; nothing if none is known. */
+std::optional<std::int32_t> topOf(const ColumnBlock& block)
+{
+  for (std::int32_t w = block.words() - 1; w >= 0; --w)
+  {
+    const std::ptrdiff_t at = static_cast<std::ptrdiff_t>(w) * kBlockColumns;
+    std::uint64_t known = 0;
+    for (std::int32_t c = 0; c < kBlockColumns; ++c)
+      known |= block.freePlane()[at + c] | block.occupiedPlane()[at + c];
+    if (known) return block.zMin() + 64 * w + 63 - __builtin_clzll(known);
+  }
+  return std::nullopt;
+}
+
+bool hasFree(const ColumnBlock& block)
+{
+  const std::uint64_t* plane = block.freePlane();
+  const std::ptrdiff_t size = static_cast<std::ptrdiff_t>(block.words()) * kBlockColumns;
+  return std::any_of(plane, plane + size, [](std::uint64_t word) { return word != 0; });
+}
+}  // namespace
+
+std::optional<std::int32_t> VoxelSource::top() const
+{
+  std::optional<std::int32_t> top;
+  readBlocks(*this,
+             [&top](const ColumnBlock& block)
+             {
+               top = std::max(top, topOf(block));  // nothing is less than any key
+               return false;
+             });
+  return top;
+}
+
+bool hasFreeVoxel(const VoxelSource& source)
+{
+  bool found = false;
+  readBlocks(source, [&found](const ColumnBlock& block) { return found = hasFree(block); });
+  return found;
+}
+
+}  // namespace mrpt_mapconv::voxel
