@@ -213,22 +213,21 @@ bool IncrementalLayers::update(const voxel::VoxelSource& source, const voxel::Co
   const auto inside = changedWithin(source, changed, old);
   if (inside.empty() && !m_unfinished) return false;
   const grid::GridFrame frame = grownFrame(old, inside.bounds(source.resolution()));
+  if (frame != old) m_layers = m_layers.onFrame(frame);
   const bool makeUp = std::exchange(m_unfinished, true);  // until the end, without an exception
   const voxel::FilledSource filled(source, m_params.reading);
   const bool anyColumn = filled.freeUpTo() != m_freeUpTo;  // can have changed
   if (makeUp || anyColumn)
     rebuildFilled(filled, frame);
   else
-    follow(filled, inside, frame);
+    follow(filled, inside);
   return anyColumn || frame != old;
 }
 
-void IncrementalLayers::follow(const voxel::VoxelSource& source, const voxel::ColumnSet& changed,
-                               const grid::GridFrame& frame)
+void IncrementalLayers::follow(const voxel::VoxelSource& source, const voxel::ColumnSet& changed)
 {
-  if (frame != m_layers.frame()) m_layers = m_layers.onFrame(frame);
-  convertColumns(source, changed, columnsDependingOn(changed, m_params).clipped(frame), m_params,
-                 m_threads, m_layers, false);
+  const auto reach = columnsDependingOn(changed, m_params).clipped(m_layers.frame());
+  convertColumns(source, changed, reach, m_params, m_threads, m_layers, false);
   m_unfinished = false;
 }
 

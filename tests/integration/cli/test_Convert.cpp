@@ -274,7 +274,7 @@ TEST_F(Convert, optionsForScansAreNamedAsUselessForAnOctree)
   const auto run = mapconv({"convert", input(), "-o", dir.path("out"), "--max-step", "0.1",
                             "--resolution", "0.25", "--static"});
   EXPECT_EQ(0, run.status);
-  EXPECT_EQ(2, warningsIn(run.err)) << run.err;
+  EXPECT_EQ(1, warningsIn(run.err)) << run.err;
   EXPECT_TRUE(contains(run.err, "--resolution 0.25")) << run.err;
   EXPECT_TRUE(contains(run.err, "hand.bt")) << run.err;
   EXPECT_TRUE(contains(run.err, "--static")) << run.err;

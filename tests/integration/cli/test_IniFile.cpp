@@ -37,7 +37,9 @@ TEST_F(IniFile, setsTheParameters)
       "comment\n[voxelInsertion]\nmaxrange "
       "= 5\n");
   ASSERT_EQ(0, run.status) << run.err;
-  EXPECT_EQ("", run.err);
+  EXPECT_EQ(1, warningsIn(run.err)) << run.err;
+  EXPECT_TRUE(contains(run.err, "convert makes layers for both")) << run.err;
+  EXPECT_TRUE(contains(run.err, "maxrange of ")) << "the input holds no scans: " << run.err;
   const JsonValue used = parseJson(run.out)["parameters"];
   EXPECT_EQ(0.5, used["minClearance"].number);
   EXPECT_EQ(0.25, used["minOccupancy"].number);
@@ -113,7 +115,7 @@ TEST_F(IniFile, typosAreNamedInAWarning)
 
 TEST_F(IniFile, theOldNameOfASectionIsReadAndNamedInAWarning)
 {
-  const auto run = convertWith("[conversion]\nmaxStep = 0.1\n[insertion]\nmaxrange = 3\n");
+  const auto run = convertWith("[conversion]\nmaxStep = 0.1\n[insertion]\nmaxrange = -1\n");
   EXPECT_EQ(0, run.status);
   EXPECT_EQ(1, warningsIn(run.err)) << run.err;
   EXPECT_TRUE(contains(run.err, "[insertion] is now called [voxelInsertion]")) << run.err;
@@ -125,7 +127,8 @@ TEST_F(IniFile, theOldNameOfASectionIsReadAndNamedInAWarning)
 TEST_F(IniFile, theOldNameBesideTheNewOneHasNoEffectAndThatIsSaid)
 {
   const auto run = convertWith(
-      "[conversion]\nmaxStep = 0.1\n[insertion]\nmaxrange = far\n[voxelInsertion]\nmaxrange = 3\n");
+      "[conversion]\nmaxStep = 0.1\n[insertion]\nmaxrange = far\n[voxelInsertion]\nmaxrange = "
+      "-1\n");
   EXPECT_EQ(0, run.status) << run.err;
   EXPECT_EQ(1, warningsIn(run.err)) << run.err;
   EXPECT_TRUE(contains(run.err, "[insertion] has no effect beside [voxelInsertion]")) << run.err;

@@ -307,8 +307,9 @@ TEST_F(ReportValues, A2DScanMakesNoWallAtItsMaxRange)
   scan->setScanRange(1, 2);
   scan->setScanRangeValidity(0, false);
   scan->setSensorPose(mrpt::poses::CPose3D(0.05, 0.05, 0.05));
+  writeSimpleMap(m_dir.path("scan.simplemap"), {scan});
   const auto outcome =
-      run("project", logOf(m_dir.path("scan.rawlog"), scan), {"--z-min", "-0.5", "--z-max", "0.5"});
+      run("project", m_dir.path("scan.simplemap"), {"--z-min", "-0.5", "--z-max", "0.5"});
   ASSERT_EQ(0, outcome.status) << outcome.err;
   const auto json = parseJson(outcome.out);
   EXPECT_EQ(1, json["occupied"].number);

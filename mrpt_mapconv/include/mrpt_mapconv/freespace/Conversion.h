@@ -69,8 +69,7 @@ class IncrementalLayers
   void clear();
 
  private:
-  void follow(const voxel::VoxelSource& source, const voxel::ColumnSet& changed,
-              const grid::GridFrame& frame);
+  void follow(const voxel::VoxelSource& source, const voxel::ColumnSet& changed);
 
   void rebuildFilled(const voxel::FilledSource& source, const grid::GridFrame& frame);
 
