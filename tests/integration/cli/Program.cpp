@@ -42,7 +42,10 @@ Outcome runProgram(const std::vector<std::string>& command, const std::string& s
   Outcome outcome;
   outcome.status = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
   if (stdoutFile.empty()) outcome.out = readBytes(out);
-  outcome.err = readBytes(folder.path("err"));
+  std::istringstream lines(readBytes(folder.path("err")));
+  for (std::string line; std::getline(lines, line);)
+    (line.compare(0, 19, "mapconv: progress: ") == 0 ? outcome.progress : outcome.err) +=
+        line + (lines.eof() ? "" : "\n");
   return outcome;
 }
 

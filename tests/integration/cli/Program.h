@@ -10,6 +10,7 @@ struct Outcome
 {
   int status = -1;  //!< exit status; 128 + n if signal n ended it
   std::string out, err;
+  std::string progress = {};  //!< lines of stderr that say how far the work is, which need time
 };
 
 /** Runs a program to its end. \param stdoutFile where its stdout goes; empty: into Outcome::out */

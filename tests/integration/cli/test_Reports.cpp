@@ -86,6 +86,14 @@ TEST_F(Reports, ACeilingInTheStructureSliceIsNoWall)
   EXPECT_GT(parseJson(below.out)["free"].number, 0.93 * parseJson(below.out)["cells"].number);
 }
 
+TEST_F(Reports, InALogWorkThatTakesLongSaysSo)
+{
+  const auto run = runProgram({"sh", "-c", "(sleep 11; cat \"$1\") | \"$0\" convert - -o \"$2\"",
+                               MAPCONV_PROGRAM, kReports + "fence09.bt", m_dir.path("out")});
+  EXPECT_EQ(0, run.status) << run.err;
+  EXPECT_EQ("mapconv: progress: reading stdin (10 s)\n", run.progress);
+}
+
 TEST_F(Reports, AnIniFileMayBeginWithAByteOrderMark)
 {
   const auto run =
