@@ -53,12 +53,11 @@ void expectFollows(const freespace::IncrementalLayers& followed, const Source& s
   EXPECT_TRUE(sameBits(followed.layers(), anew.layers()));
 }
 
-/** Only cells that depend on the changed ones may have other values than before. */
+/** Only the cells that are said to may have other values than before. */
 void expectOthersAsBefore(const freespace::Layers& before,
                           const freespace::IncrementalLayers& followed,
-                          const voxel::ColumnSet& changed)
+                          const voxel::ColumnSet& reached)
 {
-  const auto reached = freespace::columnsDependingOn(changed, followed.params());
   const grid::GridFrame& frame = before.frame();
   freespace::Layers others = followed.layers();
   for (std::int32_t iy = 0; iy < frame.height; ++iy)
@@ -94,11 +93,11 @@ TEST(Incremental, RandomEditsEqualFullConversions)
                    editor.lastEdit() + "; " + text(params));
       const grid::GridFrame before = one.layers().frame();
       const freespace::Layers layersBefore = one.layers();
-      const bool anyChanged = one.update(source, changed);
+      const freespace::LayersChange change = one.update(source, changed);
       if (one.layers().frame() != before)
-        EXPECT_TRUE(anyChanged);
-      else if (!anyChanged)
-        expectOthersAsBefore(layersBefore, one, changed);
+        EXPECT_TRUE(change.everywhere);
+      else if (!change.everywhere)
+        expectOthersAsBefore(layersBefore, one, change.columns);
       expectFollows(one, source);
       two.update(source, changed);
       expectFollows(two, source);
@@ -147,7 +146,7 @@ TEST(Incremental, LayingOutAnewStaysRareInAGrowingMap)
         tree.setNodeValue(oracle::octomapKey(kx, ky, kz), kz == 0 ? 0.85f : -0.4f, true);
       voxel::ColumnSet changed;
       changed.insert(kx, ky);
-      if (followed.update(source, changed)) ++relayouts;
+      if (followed.update(source, changed).everywhere) ++relayouts;
     }
     // by half each time: log(1000)/log(1.5) = 17 at most, plus the first few single cells
     EXPECT_LE(relayouts, 20);
@@ -258,7 +257,7 @@ TEST(Incremental, ReadsOnlyWhatDependsOnTheChange)
       tree.setNodeValue(oracle::octomapKey(kx, ky, pick(rng, 1, 11)), 0.85f);
       changed.insert(kx, ky);
     }
-    EXPECT_FALSE(followed.update(watched, changed));
+    EXPECT_FALSE(followed.update(watched, changed).everywhere);
     const voxel::ColumnSet allowed = changed.dilated(1);
     for (int ky = -64; ky < 64; ++ky)
       for (int kx = -64; kx < 64; ++kx)

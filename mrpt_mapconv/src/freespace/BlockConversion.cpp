@@ -1,8 +1,12 @@
 #include "BlockConversion.h"
 
+#include <mrpt_mapconv/freespace/Evidence.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+
+#include "SupportRules.h"
 
 namespace mrpt_mapconv::freespace
 {
@@ -72,20 +76,22 @@ bool any(const voxel::ColumnMask& mask)
 
 std::uint32_t bitIf(bool set, std::int32_t x) { return static_cast<std::uint32_t>(set) << x; }
 
+constexpr double kDropReach = 1.0;  // how far drop edges look [m]
+
+/** How many steps of a length lie within another one. */
+std::int32_t stepsWithin(double metres, double step)
+{
+  constexpr double kSlack = 1e-6;
+  return static_cast<std::int32_t>(std::min(metres / step + kSlack, 1e6));
+}
+
 bool sameBits(float a, float b) { return std::memcmp(&a, &b, sizeof(float)) == 0; }
 }  // namespace
 
-void Differences::note(const BlockJob& job)
+void Differences::note(const BlockJob& job, bool blank)
 {
-  if (!any(job.newSpan)) return;
-  newSpan.emplace(job.key, job.newSpan);
-  if (any(job.newFloor)) newFloor.emplace(job.key, job.newFloor);
-}
-
-void Differences::forget(voxel::BlockKey key)
-{
-  newSpan.erase(key);
-  newFloor.erase(key);
+  if (any(job.newSpan)) newSpan.emplace(job.key, job.newSpan);
+  if (!blank && any(job.newFloor)) newFloor.insert(job.key, job.newFloor);
 }
 
 HeightPass::HeightPass(const voxel::VoxelSource& source, const ConversionParams& params,
@@ -93,6 +99,7 @@ HeightPass::HeightPass(const voxel::VoxelSource& source, const ConversionParams&
     : m_source(source),
       m_layers(layers),
       m_blank(blank),
+      m_supportIsFloor(params.floorFrom == FloorFrom::LowestFree),
       m_spans(params.minRunVoxels(source.resolution()))
 {
 }
@@ -103,7 +110,44 @@ void HeightPass::run(BlockJob& job)
   m_block.start(job.key, job.changed);
   m_source.read(m_block);
   m_spans.start(m_block);
-  collectWalls(job, writeHeights(job));
+  const voxel::ColumnMask free = writeHeights(job);
+  writeEvidence(job);
+  collectWalls(job, free);
+}
+
+/** Raw evidence: what is inferred comes later. */
+float HeightPass::evidenceOf(std::int32_t column, const FreeSpan& span) const
+{
+  if (!span.valid()) return hasOccupied(m_block, column) ? evidence::kWall : evidence::kNone;
+  return isOccupied(m_block, column, span.floor - 1) ? evidence::kSeen : evidence::kOpen;
+}
+
+/** Writes evidence and, where the ground itself was seen, support. Of columns whose floor and
+ * evidence are as before, both stay, inferred or not. */
+void HeightPass::writeEvidence(BlockJob& job)
+{
+  const BlockPlace place(job.key, m_layers.frame());
+  forEachRow(job.changed,
+             [&](std::int32_t y, std::uint32_t row)
+             {
+               const float* floor = m_layers.floor.row(place.y + y) + place.x;
+               float* support = m_layers.support.row(place.y + y) + place.x;
+               float* known = m_layers.evidence.row(place.y + y) + place.x;
+               std::uint32_t& newFloor = job.newFloor[static_cast<std::size_t>(y)];
+               forEachInRow(
+                   row,
+                   [&](std::int32_t x)
+                   {
+                     const float now = m_evidence[static_cast<std::size_t>(y * kBlockSide + x)];
+                     const float before = evidence::isOpen(known[x]) ? evidence::kOpen : known[x];
+                     const bool same = !m_blank && now == before && !(newFloor >> x & 1U);
+                     if (same) return;
+                     newFloor |= bitIf(true, x);
+                     known[x] = now;
+                     support[x] =
+                         now == evidence::kSeen || m_supportIsFloor ? floor[x] : Layers::kNone;
+                   });
+             });
 }
 
 /** Writes floor and ceiling of the changed columns and notes which differ from before. Returns
@@ -131,6 +175,8 @@ voxel::ColumnMask HeightPass::writeHeights(BlockJob& job)
                             {
                               const FreeSpan span = m_spans.span(y * kBlockSide + x);
                               const bool valid = span.valid();
+                              m_evidence[static_cast<std::size_t>(y * kBlockSide + x)] =
+                                  evidenceOf(y * kBlockSide + x, span);
                               const auto height = [&](std::int32_t key)
                               { return valid ? static_cast<float>(key * res) : Layers::kNone; };
                               freeRow |= bitIf(valid, x);
@@ -174,46 +220,39 @@ void HeightPass::collectWalls(BlockJob& job, const voxel::ColumnMask& free)
                });
 }
 
-OccupancyPass::OccupancyPass(const voxel::VoxelSource& source, const ConversionParams& params,
-                             const Differences& differences, Layers& layers)
+AerialPass::AerialPass(const voxel::VoxelSource& source, const ConversionParams& params,
+                       const Differences& differences, Layers& layers)
     : m_source(source),
       m_params(params),
       m_differences(differences),
       m_layers(layers),
-      m_checkSteps(params.maxStep > 0),
-      m_maxStep(params.maxStepVoxels(layers.frame().resolution)),
       m_inverseResolution(1.0 / layers.frame().resolution),
-      m_floors(params.slopeWindow),
-      m_slopeFilter(params.slopeWindow)
+      m_floors(1)
 {
 }
 
-void OccupancyPass::run(BlockJob& job)
+void AerialPass::run(BlockJob& job)
 {
   const BlockPlace place(job.key, m_layers.frame());
   const auto besideNew = withoutFloor(columnsBesideNewSpans(job), place);
-  const auto newSlope =
-      voxel::columnsNear(m_differences.newFloor, job.key, m_params.slopeWindow) & job.reach;
   const auto newAerial = job.changed | besideNew;
-  if (!any(newAerial | newSlope)) return;
+  if (!any(newAerial)) return;
 
   readWalls(besideNew, job);
   m_floors.load(m_layers.floor, job.key);
   writeAerial(job, newAerial);
-  writeGroundWithoutFloor(place, newAerial & ~newSlope);
-  writeSlopeAndGround(place, newSlope);
   job.walls = std::vector<OccupiedRun>();  // gives the memory back, which clear() would not
 }
 
 /** The columns that were not read but touch one whose free range has changed. */
-voxel::ColumnMask OccupancyPass::columnsBesideNewSpans(const BlockJob& job) const
+voxel::ColumnMask AerialPass::columnsBesideNewSpans(const BlockJob& job) const
 {
   const auto notRead = job.reach & ~job.changed;
   return any(notRead) ? notRead & voxel::columnsNear(m_differences.newSpan, job.key, 1) : notRead;
 }
 
-voxel::ColumnMask OccupancyPass::withoutFloor(const voxel::ColumnMask& columns,
-                                              const BlockPlace& place) const
+voxel::ColumnMask AerialPass::withoutFloor(const voxel::ColumnMask& columns,
+                                           const BlockPlace& place) const
 {
   voxel::ColumnMask out{};
   forEachRow(columns,
@@ -229,7 +268,7 @@ voxel::ColumnMask OccupancyPass::withoutFloor(const voxel::ColumnMask& columns,
 }
 
 /** Reads the occupied runs of columns without a free range. */
-void OccupancyPass::readWalls(const voxel::ColumnMask& columns, BlockJob& job)
+void AerialPass::readWalls(const voxel::ColumnMask& columns, BlockJob& job)
 {
   if (!any(columns)) return;
   m_block.start(job.key, columns);
@@ -243,7 +282,7 @@ void OccupancyPass::readWalls(const voxel::ColumnMask& columns, BlockJob& job)
              });
 }
 
-void OccupancyPass::writeAerial(const BlockJob& job, const voxel::ColumnMask& columns)
+void AerialPass::writeAerial(const BlockJob& job, const voxel::ColumnMask& columns)
 {
   const BlockPlace place(job.key, m_layers.frame());
   forEachRow(columns,
@@ -269,8 +308,8 @@ void OccupancyPass::writeAerial(const BlockJob& job, const voxel::ColumnMask& co
 
 /** Eqs. 5–8 for a cell without a kept free range, at column (x, y) of the block: the largest share
  * of a free neighbour's range [floor, ceiling] that this column's occupied runs fill. */
-float OccupancyPass::wallOccupancy(const BlockPlace& place, std::int32_t x, std::int32_t y,
-                                   const OccupiedRun* begin, const OccupiedRun* end) const
+float AerialPass::wallOccupancy(const BlockPlace& place, std::int32_t x, std::int32_t y,
+                                const OccupiedRun* begin, const OccupiedRun* end) const
 {
   double best = 0;
   bool blocked = false;
@@ -293,58 +332,98 @@ float OccupancyPass::wallOccupancy(const BlockPlace& place, std::int32_t x, std:
   return blocked ? static_cast<float>(best) : grid::kUnknown;
 }
 
-/** For columns whose slope stays: where there is a floor nothing else changes either. */
-void OccupancyPass::writeGroundWithoutFloor(const BlockPlace& place,
-                                            const voxel::ColumnMask& columns)
+GroundPass::GroundPass(const ConversionParams& params, Layers& layers)
+    : m_params(params),
+      m_layers(layers),
+      m_checkSteps(params.maxStep > 0),
+      m_checkDrops(m_checkSteps && params.floorFrom == FloorFrom::Seen),
+      m_maxStep(kSupportUnits * params.maxStepVoxels(layers.frame().resolution)),
+      m_maxDrop(m_maxStep + kSupportUnits),
+      m_straightSteps(stepsWithin(kDropReach, layers.frame().resolution)),
+      m_diagonalSteps(stepsWithin(kDropReach, std::sqrt(2.0) * layers.frame().resolution)),
+      m_supports(params.slopeWindow, kSupportUnits),
+      m_floors(1, kSupportUnits),
+      m_slopeFilter(params.slopeWindow)
 {
-  forEachRow(columns,
-             [&](std::int32_t y, std::uint32_t row)
-             {
-               const float* aerial = m_layers.aerial.row(place.y + y);
-               float* ground = m_layers.ground.row(place.y + y);
-               const std::int32_t* floor = m_floors.at(0, y);
-               forEachInRow(row,
-                            [&](std::int32_t x)
-                            {
-                              if (floor[x] == FloorTile::kNoFloor)
-                                ground[place.x + x] = aerial[place.x + x];
-                            });
-             });
 }
 
-void OccupancyPass::writeSlopeAndGround(const BlockPlace& place, const voxel::ColumnMask& columns)
+std::int32_t GroundPass::reach(const ConversionParams& params, double resolution)
+{
+  const bool drops = params.maxStep > 0 && params.floorFrom == FloorFrom::Seen;
+  return std::max({1, params.slopeWindow, drops ? stepsWithin(kDropReach, resolution) : 0});
+}
+
+void GroundPass::run(voxel::BlockKey block, const voxel::ColumnMask& columns)
 {
   if (!any(columns)) return;
-  m_slopeFilter.compute(m_floors, boundsOf(columns), m_slope);
+  const BlockPlace place(block, m_layers.frame());
+  m_supports.load(m_layers.support, block);
+  if (m_checkDrops) m_floors.load(m_layers.floor, block);
+  m_slopeFilter.compute(m_supports, boundsOf(columns), m_slope);
   forEachRow(columns,
              [&](std::int32_t y, std::uint32_t row)
              {
                const double* slopes = m_slope.data() + y * kBlockSide;
-               const float* aerial = m_layers.aerial.row(place.y + y);
-               float* slope = m_layers.slope.row(place.y + y);
-               float* ground = m_layers.ground.row(place.y + y);
+               float* slope = m_layers.slope.row(place.y + y) + place.x;
+               float* ground = m_layers.ground.row(place.y + y) + place.x;
                forEachInRow(row,
                             [&](std::int32_t x)
                             {
-                              const std::int32_t i = place.x + x;
-                              const bool steep = slopes[x] > m_params.maxSlope ||
-                                                 (m_checkSteps && hasStep(m_floors.at(x, y)));
-                              slope[i] = static_cast<float>(slopes[x]);
-                              ground[i] = steep && grid::isFree(aerial[i]) ? 1.0f : aerial[i];
+                              slope[x] = static_cast<float>(slopes[x] / kSupportUnits);
+                              ground[x] = groundAt(x, y, place);
                             });
              });
 }
 
-/** Whether there is a floor and it differs from one of its 8 neighbours' by more than maxStep. */
-bool OccupancyPass::hasStep(const std::int32_t* floor) const
+float GroundPass::groundAt(std::int32_t x, std::int32_t y, const BlockPlace& place) const
 {
-  if (*floor == FloorTile::kNoFloor) return false;
+  const float aerial = m_layers.aerial.at(place.x + x, place.y + y);
+  if (!grid::isFree(aerial)) return aerial;
+  if (*m_supports.at(x, y) == FloorTile::kNoFloor) return grid::kUnknown;
+  const double slope = m_slope[static_cast<std::size_t>(y * kBlockSide + x)] / kSupportUnits;
+  return slope > m_params.maxSlope || (m_checkSteps && hasStepOrDrop(x, y, place)) ? 1.0f
+                                                                                   : grid::kFree;
+}
+
+/** Whether the support differs from one of the 8 neighbours' by more than a step, or is that of a
+ * drop edge: over open cells without support one comes, within 1 m, to a floor that lies lower than
+ * a step and a voxel. */
+bool GroundPass::hasStepOrDrop(std::int32_t x, std::int32_t y, const BlockPlace& place) const
+{
+  const std::int32_t support = *m_supports.at(x, y);
   for (std::int32_t dy = -1; dy <= 1; ++dy)
     for (std::int32_t dx = -1; dx <= 1; ++dx)
     {
-      const std::int32_t neighbour = floor[dy * m_floors.side() + dx];
-      if (neighbour != FloorTile::kNoFloor && std::abs(neighbour - *floor) > m_maxStep) return true;
+      const std::int32_t neighbour = *m_supports.at(x + dx, y + dy);
+      if (neighbour != FloorTile::kNoFloor && std::abs(neighbour - support) > m_maxStep)
+        return true;
+      if (!m_checkDrops || dropSteps(dx, dy) == 0) continue;
+      const std::int32_t floor = *m_floors.at(x + dx, y + dy);
+      if (floor == FloorTile::kNoFloor) continue;
+      if (support - floor > m_maxDrop && (dx != 0 || dy != 0)) return true;
+      if (neighbour == FloorTile::kNoFloor &&
+          leadsToDrop(place.x + x, place.y + y, dx, dy, support))
+        return true;
     }
+  return false;
+}
+
+/** The walk of a drop edge from cell (ix, iy) on, whose first step is to an open cell without
+ * support. */
+bool GroundPass::leadsToDrop(std::int32_t ix, std::int32_t iy, std::int32_t dx, std::int32_t dy,
+                             std::int32_t support) const
+{
+  const grid::GridFrame& frame = m_layers.frame();
+  const double unitsPerMetre = kSupportUnits * (1.0 / frame.resolution);
+  for (std::int32_t k = 1; k <= dropSteps(dx, dy); ++k)
+  {
+    const std::int32_t x = ix + k * dx, y = iy + k * dy;
+    if (x < 0 || y < 0 || x >= frame.width || y >= frame.height) return false;
+    const float floor = m_layers.floor.at(x, y);
+    if (std::isnan(floor)) return false;
+    if (support - heightKey(floor, unitsPerMetre) > m_maxDrop) return true;
+    if (!std::isnan(m_layers.support.at(x, y))) return false;
+  }
   return false;
 }
 

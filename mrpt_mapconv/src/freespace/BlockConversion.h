@@ -21,7 +21,8 @@ struct BlockJob
   voxel::ColumnMask changed{};  //!< columns whose voxels may have changed: to be read
   voxel::ColumnMask reach{};  //!< columns whose layers may depend on those, here or in other blocks
 
-  voxel::ColumnMask newFloor{};    //!< of `changed`: the floor differs from what the layer held
+  voxel::ColumnMask newFloor{};    //!< of `changed`: the floor or its evidence differs from what
+                                   //!< the layers held
   voxel::ColumnMask newSpan{};     //!< of `changed`: floor or ceiling differs
   std::vector<OccupiedRun> walls;  //!< occupied runs of columns that are not free but may touch a
                                    //!< free one; column by column
@@ -30,10 +31,11 @@ struct BlockJob
 /** The columns whose floor or free range the first pass has found to differ. */
 struct Differences
 {
-  voxel::ColumnSet::Blocks newFloor, newSpan;
+  voxel::ColumnSet newFloor;         //!< of all blocks; empty if the layers were blank
+  voxel::ColumnSet::Blocks newSpan;  //!< of the blocks that the second pass still needs
 
-  void note(const BlockJob& job);
-  void forget(voxel::BlockKey key);
+  void note(const BlockJob& job, bool blank);
+  void forget(voxel::BlockKey key) { newSpan.erase(key); }
 };
 
 /** Where a block lies in a layer's frame: index of its first cell, which may be outside. */
@@ -46,7 +48,8 @@ struct BlockPlace
   std::int32_t x, y;
 };
 
-/** First pass over a block: the changed columns' voxels → floor, ceiling and walls. */
+/** First pass over a block: the changed columns' voxels → floor, ceiling, walls, evidence, and the
+ * support of seen cells. */
 class HeightPass
 {
  public:
@@ -57,22 +60,25 @@ class HeightPass
 
  private:
   voxel::ColumnMask writeHeights(BlockJob& job);
+  void writeEvidence(BlockJob& job);
+  float evidenceOf(std::int32_t column, const FreeSpan& span) const;
   void collectWalls(BlockJob& job, const voxel::ColumnMask& free);
 
   const voxel::VoxelSource& m_source;
   Layers& m_layers;
-  bool m_blank;
+  bool m_blank, m_supportIsFloor;
   voxel::ColumnBlock m_block;
   FreeSpanFinder m_spans;
+  std::array<float, voxel::kBlockColumns> m_evidence{};  //!< of the changed columns
 };
 
-/** Second pass, once the floors around the block are known: slope and both occupancies of the
- * changed columns and of those that depend on a difference nearby. */
-class OccupancyPass
+/** Second pass, once the floors around the block are known: the aerial occupancy of the changed
+ * columns and of those that touch one whose free range differs. */
+class AerialPass
 {
  public:
-  OccupancyPass(const voxel::VoxelSource& source, const ConversionParams& params,
-                const Differences& differences, Layers& layers);
+  AerialPass(const voxel::VoxelSource& source, const ConversionParams& params,
+             const Differences& differences, Layers& layers);
   void run(BlockJob& job);
 
  private:
@@ -80,21 +86,47 @@ class OccupancyPass
   voxel::ColumnMask withoutFloor(const voxel::ColumnMask& columns, const BlockPlace& place) const;
   void readWalls(const voxel::ColumnMask& columns, BlockJob& job);
   void writeAerial(const BlockJob& job, const voxel::ColumnMask& columns);
-  void writeGroundWithoutFloor(const BlockPlace& place, const voxel::ColumnMask& columns);
-  void writeSlopeAndGround(const BlockPlace& place, const voxel::ColumnMask& columns);
   float wallOccupancy(const BlockPlace& place, std::int32_t x, std::int32_t y,
                       const OccupiedRun* begin, const OccupiedRun* end) const;
-  bool hasStep(const std::int32_t* floor) const;
 
   const voxel::VoxelSource& m_source;
   const ConversionParams& m_params;
   const Differences& m_differences;
   Layers& m_layers;
-  bool m_checkSteps;
-  std::int32_t m_maxStep;  // voxels
   double m_inverseResolution;
   voxel::ColumnBlock m_block;
   FloorTile m_floors;
+};
+
+/** Third pass, once all supports and the aerial occupancy are known: slope and ground occupancy. It
+ * looks at layers only. */
+class GroundPass
+{
+ public:
+  GroundPass(const ConversionParams& params, Layers& layers);
+  void run(voxel::BlockKey block, const voxel::ColumnMask& columns);
+
+  /** How far away a cell can lie that a cell's slope or ground occupancy depends on [cells]. */
+  static std::int32_t reach(const ConversionParams& params, double resolution);
+
+ private:
+  float groundAt(std::int32_t x, std::int32_t y, const BlockPlace& place) const;
+  bool hasStepOrDrop(std::int32_t x, std::int32_t y, const BlockPlace& place) const;
+  bool leadsToDrop(std::int32_t ix, std::int32_t iy, std::int32_t dx, std::int32_t dy,
+                   std::int32_t support) const;
+  /** How many steps of a drop edge's walk lie within its reach. */
+  std::int32_t dropSteps(std::int32_t dx, std::int32_t dy) const
+  {
+    return dx != 0 && dy != 0 ? m_diagonalSteps : m_straightSteps;
+  }
+
+  const ConversionParams& m_params;
+  Layers& m_layers;
+  bool m_checkSteps, m_checkDrops;
+  std::int32_t m_maxStep, m_maxDrop;  // 64ths of a voxel
+  std::int32_t m_straightSteps, m_diagonalSteps;
+  FloorTile m_supports;  // in 64ths of a voxel
+  FloorTile m_floors;    // likewise
   SlopeFilter m_slopeFilter;
   std::array<double, voxel::kBlockColumns> m_slope{};
 };

@@ -65,6 +65,20 @@ FreeSpan FreeSpanFinder::span(std::int32_t column) const
   return {m_zMin + lowest, m_zMin + highest + m_minRun};
 }
 
+bool isOccupied(const voxel::ColumnBlock& block, std::int32_t column, std::int32_t z)
+{
+  const std::int32_t bit = z - block.zMin();
+  if (bit < 0 || bit >= 64 * block.words()) return false;
+  return block.occupiedPlane()[column + bit / 64 * kBlockColumns] >> (bit % 64) & 1U;
+}
+
+bool hasOccupied(const voxel::ColumnBlock& block, std::int32_t column)
+{
+  for (std::int32_t w = 0; w < block.words(); ++w)
+    if (block.occupiedPlane()[column + w * kBlockColumns]) return true;
+  return false;
+}
+
 void appendOccupiedRuns(const voxel::ColumnBlock& block, std::int32_t column,
                         std::vector<OccupiedRun>& runs)
 {

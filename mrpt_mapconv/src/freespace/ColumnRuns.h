@@ -32,6 +32,11 @@ class FreeSpanFinder
   std::vector<std::uint64_t> m_starts;  // bit set: a range of minRun free voxels begins here
 };
 
+/** Whether a voxel of a column of the block is occupied; one outside the block is not. */
+bool isOccupied(const voxel::ColumnBlock& block, std::int32_t column, std::int32_t z);
+/** Whether any voxel of it is. */
+bool hasOccupied(const voxel::ColumnBlock& block, std::int32_t column);
+
 /** A run of occupied voxels, z keys [begin, end), in column 32·y + x of a block. */
 struct OccupiedRun
 {

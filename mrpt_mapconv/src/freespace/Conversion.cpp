@@ -8,6 +8,7 @@
 
 #include "../grid/Parallel.h"
 #include "BlockConversion.h"
+#include "SupportPass.h"
 
 namespace mrpt_mapconv::freespace
 {
@@ -75,13 +76,14 @@ class Strips
   std::size_t m_next = 0;
 };
 
-/** Brings the layers up to date with the changed columns, of which full conversion is "all".
- * `reach` holds every column that may depend on them; `blank` says that the layers are all unknown,
- * otherwise they must be what a conversion left before the change. The second pass of a strip runs
- * once the first pass of the next one has found the floors there. */
-void convertColumns(const voxel::VoxelSource& source, const voxel::ColumnSet& changed,
-                    const voxel::ColumnSet& reach, const ConversionParams& params, int threads,
-                    Layers& layers, bool blank)
+/** Brings floor, ceiling, aerial occupancy and evidence up to date with the changed columns, of
+ * which full conversion is "all". `reach` holds every column that touches them; `blank` says that
+ * the layers are all unknown, otherwise they must be what a conversion left before the change. The
+ * second pass of a strip runs once the first pass of the next one has found the floors there.
+ * \return the columns whose floor or evidence differs from before; none if the layers were blank */
+voxel::ColumnSet convertColumns(const voxel::VoxelSource& source, const voxel::ColumnSet& changed,
+                                const voxel::ColumnSet& reach, const ConversionParams& params,
+                                int threads, Layers& layers, bool blank)
 {
   Differences differences;  // of the strip at hand, the one before and the one after
   const auto findHeights = [&](Strip& strip)
@@ -92,29 +94,45 @@ void convertColumns(const voxel::VoxelSource& source, const voxel::ColumnSet& ch
                        HeightPass heights(source, params, layers, blank);
                        for (std::size_t i = begin; i < end; ++i) heights.run(strip[i]);
                      });
-    for (const BlockJob& job : strip) differences.note(job);
+    for (const BlockJob& job : strip) differences.note(job, blank);
   };
-  const auto findOccupancy = [&](Strip& strip)
+  const auto findAerial = [&](Strip& strip)
   {
     grid::inParallel(strip.size(), threads,
                      [&](std::size_t begin, std::size_t end)
                      {
-                       OccupancyPass occupancy(source, params, differences, layers);
-                       for (std::size_t i = begin; i < end; ++i) occupancy.run(strip[i]);
+                       AerialPass aerial(source, params, differences, layers);
+                       for (std::size_t i = begin; i < end; ++i) aerial.run(strip[i]);
                      });
   };
-  Strips strips(changed, reach, params.slopeWindow);
+  Strips strips(changed, reach, 1);
   Strip before, strip = strips.next();
   findHeights(strip);
   while (!strip.empty())
   {
     Strip next = strips.next();
     findHeights(next);
-    findOccupancy(strip);
+    findAerial(strip);
     for (const BlockJob& job : before) differences.forget(job.key);
     before = std::move(strip);
     strip = std::move(next);
   }
+  return std::move(differences.newFloor);
+}
+
+/** Slope and ground occupancy of columns. */
+void findGround(const voxel::ColumnSet& columns, const ConversionParams& params, int threads,
+                Layers& layers)
+{
+  const std::vector<std::pair<voxel::BlockKey, voxel::ColumnMask>> blocks(columns.blocks().begin(),
+                                                                          columns.blocks().end());
+  grid::inParallel(blocks.size(), threads,
+                   [&](std::size_t begin, std::size_t end)
+                   {
+                     GroundPass ground(params, layers);
+                     for (std::size_t i = begin; i < end; ++i)
+                       ground.run(blocks[i].first, blocks[i].second);
+                   });
 }
 
 Layers convertOn(const grid::GridFrame& frame, const voxel::VoxelSource& source,
@@ -123,6 +141,8 @@ Layers convertOn(const grid::GridFrame& frame, const voxel::VoxelSource& source,
   Layers layers(frame);
   const auto all = voxel::ColumnSet::of(frame);
   convertColumns(source, all, all, params, threads, layers, true);
+  if (params.floorFrom == FloorFrom::Seen) SupportPass(params, layers).findAll(threads);
+  findGround(all, params, threads, layers);
   return layers;
 }
 
@@ -168,11 +188,6 @@ Layers convert(const voxel::VoxelSource& source, const ConversionParams& params,
   return convertOn(frameOf(source), voxel::FilledSource(source, params.reading), params, threads);
 }
 
-voxel::ColumnSet columnsDependingOn(const voxel::ColumnSet& changed, const ConversionParams& params)
-{
-  return changed.dilated(std::max(1, params.slopeWindow));
-}
-
 IncrementalLayers::IncrementalLayers(const ConversionParams& params, int threads)
     : m_params(params), m_threads(threads)
 {
@@ -207,28 +222,39 @@ void IncrementalLayers::rebuildFilled(const voxel::FilledSource& source,
   m_freeUpTo = source.freeUpTo();
 }
 
-bool IncrementalLayers::update(const voxel::VoxelSource& source, const voxel::ColumnSet& changed)
+LayersChange IncrementalLayers::update(const voxel::VoxelSource& source,
+                                       const voxel::ColumnSet& changed)
 {
   const grid::GridFrame old = m_layers.frame();
   const auto inside = changedWithin(source, changed, old);
-  if (inside.empty() && !m_unfinished) return false;
+  if (inside.empty() && !m_unfinished) return {};
   const grid::GridFrame frame = grownFrame(old, inside.bounds(source.resolution()));
   if (frame != old) m_layers = m_layers.onFrame(frame);
   const bool makeUp = std::exchange(m_unfinished, true);  // until the end, without an exception
   const voxel::FilledSource filled(source, m_params.reading);
   const bool anyColumn = filled.freeUpTo() != m_freeUpTo;  // can have changed
+  LayersChange change;
+  change.everywhere = makeUp || anyColumn || frame != old;
   if (makeUp || anyColumn)
     rebuildFilled(filled, frame);
   else
-    follow(filled, inside);
-  return anyColumn || frame != old;
+    change.columns = follow(filled, inside);
+  return change;
 }
 
-void IncrementalLayers::follow(const voxel::VoxelSource& source, const voxel::ColumnSet& changed)
+/** \return the columns whose layers may have changed */
+voxel::ColumnSet IncrementalLayers::follow(const voxel::VoxelSource& source,
+                                           const voxel::ColumnSet& changed)
 {
-  const auto reach = columnsDependingOn(changed, m_params).clipped(m_layers.frame());
-  convertColumns(source, changed, reach, m_params, m_threads, m_layers, false);
+  const grid::GridFrame& frame = m_layers.frame();
+  auto columns = changed.dilated(1).clipped(frame);
+  auto newGround = convertColumns(source, changed, columns, m_params, m_threads, m_layers, false);
+  if (m_params.floorFrom == FloorFrom::Seen && !newGround.empty())
+    newGround = SupportPass(m_params, m_layers).findAround(newGround);
+  columns.insert(newGround.dilated(GroundPass::reach(m_params, frame.resolution)).clipped(frame));
+  findGround(columns, m_params, m_threads, m_layers);
   m_unfinished = false;
+  return columns;
 }
 
 void IncrementalLayers::clear()

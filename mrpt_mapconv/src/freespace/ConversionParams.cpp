@@ -31,6 +31,9 @@ void ConversionParams::check() const
   require(std::isfinite(maxSlope) && maxSlope >= 0, "maxSlope", maxSlope, "a finite slope ≥ 0");
   require(std::isfinite(maxStep) && maxStep >= 0, "maxStep", maxStep,
           "a finite height ≥ 0 m (0 turns it off)");
+  require(std::isfinite(maxGap) && maxGap >= 0, "maxGap", maxGap, "a finite length ≥ 0 m");
+  require(std::isfinite(maxHiddenGap) && maxHiddenGap >= 0 && maxHiddenGap <= maxGap,
+          "maxHiddenGap", maxHiddenGap, "a length from 0 m to maxGap");
 }
 
 std::int32_t ConversionParams::minRunVoxels(double resolution) const
@@ -41,6 +44,12 @@ std::int32_t ConversionParams::minRunVoxels(double resolution) const
 std::int32_t ConversionParams::maxStepVoxels(double resolution) const
 {
   return toVoxels(std::floor(maxStep / resolution + kSlack));
+}
+
+std::int32_t ConversionParams::supportStepVoxels(double resolution) const
+{
+  if (maxStep > 0) return maxStepVoxels(resolution);
+  return toVoxels(std::floor(std::max(0.2, resolution) / resolution + kSlack));
 }
 
 double ConversionParams::minStep(double resolution) const

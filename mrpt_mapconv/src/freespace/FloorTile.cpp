@@ -4,10 +4,10 @@
 
 namespace mrpt_mapconv::freespace
 {
-void FloorTile::load(const grid::Layer<float>& floor, voxel::BlockKey block)
+void FloorTile::load(const grid::Layer<float>& heights, voxel::BlockKey block)
 {
-  const grid::GridFrame& frame = floor.frame();
-  const double inverse = 1.0 / frame.resolution;
+  const grid::GridFrame& frame = heights.frame();
+  const double inverse = m_units * (1.0 / frame.resolution);
   const std::int32_t xTile = block.x * voxel::kBlockSide - m_halo;  // key of the tile's first cell
   const std::int32_t yTile = block.y * voxel::kBlockSide - m_halo;
   const std::int32_t xBegin = std::max(xTile, frame.x0);
@@ -23,7 +23,7 @@ void FloorTile::load(const grid::Layer<float>& floor, voxel::BlockKey block)
     }
     std::fill_n(to, xBegin - xTile, kNoFloor);
     std::fill(to + (xEnd - xTile), to + m_side, kNoFloor);
-    const float* from = floor.row(ky - frame.y0) + (xBegin - frame.x0);
+    const float* from = heights.row(ky - frame.y0) + (xBegin - frame.x0);
     to += xBegin - xTile;
     for (std::int32_t i = 0; i < xEnd - xBegin; ++i)
       to[i] = from[i] == from[i] ? heightKey(from[i], inverse) : kNoFloor;

@@ -41,6 +41,12 @@ ConversionParams readParams(const std::string& path)
   }
   return params;
 }
+/** What the files of versions that knew no evidence mean. */
+void takeFloorForGround(Layers& layers)
+{
+  layers.support = layers.floor;
+  layers.evidence = {layers.frame(), grid::unknownCell(grid::LayerKind::Evidence)};
+}
 }  // namespace
 
 grid::Metadata metadataOf(const freespace::ConversionParams& params)
@@ -61,8 +67,11 @@ LayersFile readLayersTiff(const std::string& path)
 {
   LayersFile file;
   file.params = readParams(path);
+  const bool hasGround = grid::readGeoTiffMetadata(path).count("floorFrom") != 0;
   for (const auto& entry : Layers::list())
-    file.layers.*entry.member = grid::readGeoTiffBand(path, entry.name);
+    if (hasGround || !entry.isOfGround())
+      file.layers.*entry.member = grid::readGeoTiffBand(path, entry.name);
+  if (!hasGround) takeFloorForGround(file.layers);
   return file;
 }
 

@@ -1,3 +1,4 @@
+#include <mrpt_mapconv/freespace/Evidence.h>
 #include <mrpt_mapconv/freespace/Layers.h>
 
 #include <cmath>
@@ -13,7 +14,9 @@ const std::vector<Layers::Entry>& Layers::list()
       {&Layers::slope, "slope", "Slope of the floor", "m/m", Kind::Slope},
       {&Layers::aerial, "aerial", "Occupancy for an aerial robot", "", Kind::Occupancy},
       {&Layers::ground, "ground", "Occupancy for a ground robot", "", Kind::Occupancy,
-       &Layers::aerial}};
+       &Layers::aerial},
+      {&Layers::support, "support", "Support: height of the ground", "m", Kind::Height},
+      {&Layers::evidence, "evidence", "Evidence of the ground", "", Kind::Evidence}};
   return entries;
 }
 
@@ -60,6 +63,9 @@ LayerStatistics statistics(const Layers& layers)
     if (grid::isFree(aerial))
     {
       ++count.free;
+      count.frontier +=
+          layers.evidence.cells()[i] == evidence::kOpen && std::isnan(layers.support.cells()[i]);
+      count.inferred += layers.evidence.cells()[i] == evidence::kInferred;
       count.steep += grid::isOccupied(layers.ground.cells()[i]);
       count.slopeUnknown += std::isnan(layers.slope.cells()[i]);
     }

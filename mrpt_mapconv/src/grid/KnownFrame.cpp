@@ -46,6 +46,7 @@ GridFrame knownFrame(const Layer<float>& layer, LayerKind kind)
 {
   if (kind == LayerKind::Occupancy)
     return frameOf(layer, [](float value) { return isFree(value) || isOccupied(value); });
+  if (kind == LayerKind::Evidence) return frameOf(layer, [](float value) { return value > 0; });
   return frameOf(layer, [](float value) { return std::isfinite(value); });
 }
 

@@ -73,6 +73,17 @@ Content occupancyContent(const Layer<float>& layer, const Layer<float>* aerial, 
   return content;
 }
 
+Content evidenceContent(const Layer<float>& layer, const Zoom& zoom, const Metrics& metrics)
+{
+  Content content;
+  content.raster = rasterOfEvidence(layer, zoom);
+  content.noData = std::none_of(layer.cells().begin(), layer.cells().end(),
+                                [](float value) { return value > 0; });
+  for (const EvidenceLook& look : kEvidenceLooks)
+    content.legend.push_back(swatch(metrics, look.color, look.meaning));
+  return content;
+}
+
 Content contentOf(const StyledLayer& styled, const Zoom& zoom, const Metrics& metrics)
 {
   switch (styled.kind)
@@ -81,6 +92,8 @@ Content contentOf(const StyledLayer& styled, const Zoom& zoom, const Metrics& me
       return slopeContent(*styled.layer, styled.unit, zoom, metrics);
     case LayerKind::Occupancy:
       return occupancyContent(*styled.layer, styled.freeFor, zoom, metrics);
+    case LayerKind::Evidence:
+      return evidenceContent(*styled.layer, zoom, metrics);
     case LayerKind::Height:
       break;
   }

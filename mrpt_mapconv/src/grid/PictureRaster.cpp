@@ -104,4 +104,18 @@ Raster rasterOfOccupancy(const Layer<float>& layer, const Layer<float>* aerial, 
                    });
 }
 
+Raster rasterOfEvidence(const Layer<float>& layer, const Zoom& zoom)
+{
+  return rasterize(
+      layer.frame(), zoom,
+      [&](int x0, int x1, int y0, int y1)
+      {
+        float most = 0;
+        for (int y = y0; y < y1; ++y)
+          for (int x = x0; x < x1; ++x) most = std::max(most, layer.at(x, y));
+        const auto last = static_cast<float>(kEvidenceLooks.size() - 1);
+        return kEvidenceLooks[static_cast<std::size_t>(std::clamp(most, 0.0f, last))].color;
+      });
+}
+
 }  // namespace mrpt_mapconv::grid::picture

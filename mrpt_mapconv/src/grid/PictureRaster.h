@@ -33,4 +33,7 @@ Raster rasterOfSlopes(const Layer<float>& layer, const ColorRange& range, const 
  * \param aerial may be null: nothing is "too steep" then */
 Raster rasterOfOccupancy(const Layer<float>& layer, const Layer<float>* aerial, const Zoom& zoom);
 
+/** Of the cells that share a pixel the one with the highest number shows. */
+Raster rasterOfEvidence(const Layer<float>& layer, const Zoom& zoom);
+
 }  // namespace mrpt_mapconv::grid::picture

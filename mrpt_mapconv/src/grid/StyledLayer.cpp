@@ -8,6 +8,7 @@ namespace mrpt_mapconv::grid
 {
 float unknownCell(LayerKind kind)
 {
+  if (kind == LayerKind::Evidence) return 0;
   return kind == LayerKind::Occupancy ? kUnknown : std::numeric_limits<float>::quiet_NaN();
 }
 
@@ -19,6 +20,8 @@ const char* nameOf(LayerKind kind)
       return "slope";
     case LayerKind::Occupancy:
       return "occupancy";
+    case LayerKind::Evidence:
+      return "evidence";
     case LayerKind::Height:
       break;
   }

@@ -151,12 +151,11 @@ std::string CFreeSpaceGridMap2D::insertScan(const observation::SensorPoints& sca
  * \return true if everything was laid out anew */
 bool CFreeSpaceGridMap2D::followOctree()
 {
-  const bool everywhere = m_layers.update(Source(*m_octree), m_pending);
+  const auto change = m_layers.update(Source(*m_octree), m_pending);
   const bool laidOut =
-      showCells(everywhere ? voxel::ColumnSet::of(layers().frame())
-                           : freespace::columnsDependingOn(m_pending, m_conversion.params));
+      showCells(change.everywhere ? voxel::ColumnSet::of(layers().frame()) : change.columns);
   m_pending.clear();
-  return everywhere || laidOut;
+  return change.everywhere || laidOut;
 }
 
 /** An entirely unknown map is most often one whose scans leave gaps between their beams. */

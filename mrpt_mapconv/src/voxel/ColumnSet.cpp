@@ -99,13 +99,15 @@ void ColumnSet::insert(std::int32_t kx, std::int32_t ky)
       1u << insideBlock(kx);
 }
 
+void ColumnSet::insert(const BlockKey& block, const ColumnMask& columns)
+{
+  ColumnMask& own = m_blocks[block];
+  for (std::size_t y = 0; y < own.size(); ++y) own[y] |= columns[y];
+}
+
 void ColumnSet::insert(const ColumnSet& other)
 {
-  for (const auto& [key, mask] : other.m_blocks)
-  {
-    ColumnMask& own = m_blocks[key];
-    for (std::size_t y = 0; y < own.size(); ++y) own[y] |= mask[y];
-  }
+  for (const auto& [key, mask] : other.m_blocks) insert(key, mask);
 }
 
 bool ColumnSet::contains(std::int32_t kx, std::int32_t ky) const

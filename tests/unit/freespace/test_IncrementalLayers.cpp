@@ -40,7 +40,7 @@ TEST(IncrementalLayers, AnEmptyMapGivesEmptyLayers)
   layers.rebuild(map.source());
   EXPECT_TRUE(layers.layers().frame().empty());
   EXPECT_TRUE(layers.exact(map.source()).frame().empty());
-  EXPECT_FALSE(layers.update(map.source(), {}));
+  EXPECT_FALSE(layers.update(map.source(), {}).everywhere);
   EXPECT_TRUE(layers.layers().frame().empty());
 }
 
@@ -70,7 +70,7 @@ TEST(IncrementalLayers, ANewWallIsFollowed)
   IncrementalLayers layers({}, 1);
   layers.rebuild(map.source());
   map.occupied(2, 2, 0, 20);
-  EXPECT_FALSE(layers.update(map.source(), columns({{2, 2}})));
+  EXPECT_FALSE(layers.update(map.source(), columns({{2, 2}})).everywhere);
   expectCells(
       layers.layers().aerial,
       {{0, 0, 0, 0, 0}, {0, 0, 0, 0, 0}, {0, 0, 1, 0, 0}, {0, 0, 0, 0, 0}, {0, 0, 0, 0, 0}});
@@ -148,7 +148,7 @@ TEST(IncrementalLayers, TheFrameGrowsAndKeepsWhatItHad)
   IncrementalLayers layers({}, 1);
   layers.rebuild(map.source());
   map.free(-1, 2, 3, 23);
-  EXPECT_TRUE(layers.update(map.source(), columns({{-1, 2}})));
+  EXPECT_TRUE(layers.update(map.source(), columns({{-1, 2}})).everywhere);
   const grid::GridFrame frame = layers.layers().frame();
   EXPECT_LE(frame.x0, -1);
   EXPECT_GE(frame.xEnd(), 5);
@@ -210,11 +210,11 @@ TEST(IncrementalLayers, AnnouncedColumnsWithNothingInThemDoNotMakeTheFrameGrow)
   changed.insert(0, 0);
   changed.insert(2000, 1000);
   changed.insert(-30000, 30000);
-  EXPECT_TRUE(followed.update(map.source(), changed));
+  EXPECT_TRUE(followed.update(map.source(), changed).everywhere);
   EXPECT_EQ(followed.layers().frame(), (grid::GridFrame{1.0, 0, 0, 1, 1}));
   voxel::ColumnSet nothing;
   nothing.insert(500, 500);
-  EXPECT_FALSE(followed.update(map.source(), nothing));
+  EXPECT_FALSE(followed.update(map.source(), nothing).everywhere);
   EXPECT_EQ(followed.layers().frame().size(), 1u);
 }
 

@@ -32,17 +32,19 @@ grid::GridFrame grownFrame(const grid::GridFrame& frame, const grid::GridFrame& 
  * \exception std::runtime_error for a map without any known voxel or of more than 4·10^8 cells */
 Layers convert(const voxel::VoxelSource& source, const ConversionParams& params, int threads = 0);
 
-/** The columns whose layers can change when the given ones do: occupancy and steps reach 1 cell,
- * slopes reach S_A. */
-voxel::ColumnSet columnsDependingOn(const voxel::ColumnSet& changed,
-                                    const ConversionParams& params);
+/** What an update may have changed. */
+struct LayersChange
+{
+  bool everywhere = false;   //!< all of the layers; else only
+  voxel::ColumnSet columns;  //!< these columns
+};
 
 /** Layers that follow a voxel map while it changes.
  *
  * update() touches only the changed columns and what depends on them (occupancy: 1 cell around,
- * slope: S_A around) and gives the same bits as a full conversion on the same frame. The frame
- * grows by half its size when a column lies outside, so that laying out anew stays rare; exact()
- * gives the layers on the map's exact bounding box.
+ * slope: S_A around, inferred support: as far as the next seen cells) and gives the same bits as a
+ * full conversion on the same frame. The frame grows by half its size when a column lies outside,
+ * so that laying out anew stays rare; exact() gives the layers on the map's exact bounding box.
  */
 class IncrementalLayers
 {
@@ -62,14 +64,14 @@ class IncrementalLayers
   void rebuild(const voxel::VoxelSource& source, const grid::GridFrame& frame);
   /** Follows a change of the source in the columns `changed` (a superset is fine). Should it throw
    * half way, the next update converts everything anew.
-   * \return true if others than what depends on `changed` may have changed, too: the frame did, or
-   * the height up to which unknown voxels are free */
-  bool update(const voxel::VoxelSource& source, const voxel::ColumnSet& changed);
+   * \return what may have changed: everywhere, if the frame did or the height up to which unknown
+   * voxels are free */
+  LayersChange update(const voxel::VoxelSource& source, const voxel::ColumnSet& changed);
   /** Forgets everything: empty layers. */
   void clear();
 
  private:
-  void follow(const voxel::VoxelSource& source, const voxel::ColumnSet& changed);
+  voxel::ColumnSet follow(const voxel::VoxelSource& source, const voxel::ColumnSet& changed);
 
   void rebuildFilled(const voxel::FilledSource& source, const grid::GridFrame& frame);
 

@@ -4,9 +4,25 @@
 #include <mrpt_mapconv/voxel/UnknownVoxels.h>
 
 #include <cstdint>
+#include <string>
+#include <vector>
 
 namespace mrpt_mapconv::freespace
 {
+/** What the ground of a cell is taken from. */
+enum class FloorFrom : std::uint8_t
+{
+  LowestFree,  //!< the bottom of the lowest kept free range, as the paper does
+  Seen         //!< that, if the voxel under it is occupied; else seen cells around, see maxGap
+};
+
+/** How files call them, in the order of the enumeration. */
+inline const std::vector<std::string>& namesOf(FloorFrom)
+{
+  static const std::vector<std::string> names{"lowestFree", "seen"};
+  return names;
+}
+
 /** Parameters of the free-space projection; the defaults are Table I of Fredriksson et al. 2024. */
 struct ConversionParams
 {
@@ -16,7 +32,20 @@ struct ConversionParams
   std::int32_t slopeWindow = 2;  //!< S_A: half side of the slope's window [cells], 1 … 100
   double maxSlope = 2.0;         //!< R_MS: a ground robot's steepest slope [m/m]
   double maxStep = 0.0;  //!< highest step between 8-neighbours for a ground robot [m]; 0 = off
-  voxel::ReadingParams reading = {};  //!< how the voxel map is read
+  voxel::ReadingParams reading = {};            //!< how the voxel map is read
+  FloorFrom floorFrom = FloorFrom::LowestFree;  //!< what slopes, steps and Layers::support are of
+  /** Longest gap between two seen cells over which the ground between them is inferred [m], with
+   * `floorFrom = seen`. Let h be maxStep, or max(0.2 m, one voxel) if that is 0, in whole voxels.
+   * Of an open cell (see evidence::kOpen) the nearest seen cells on either side are taken, on each
+   * of four axes, with no wall between. The straight line between their supports counts if (a)
+   * these differ by at most h; (b) at the cell it is at most one voxel above the cell's floor, or
+   * max(h, one voxel) where the gap is at most maxHiddenGap; (c) the gap, between the centres of
+   * the seen cells, is at most maxGap where floor ≤ line + h, since nothing higher than a step can
+   * hide under free space that low, else at most maxHiddenGap; (d) no open cell between has a floor
+   * more than two voxels below the line. Of several lines that over the smallest gap counts, then
+   * the lower one, rounded to 1/64 voxel, halves up. */
+  double maxGap = 6.0;
+  double maxHiddenGap = 1.0;  //!< the same where something may hide in the gap [m]
 
   template <class S, class V>
   static void visit(S& p, V&& v)
@@ -30,6 +59,14 @@ struct ConversionParams
     v("maxSlope", p.maxSlope, "m/m", "steepest slope for a ground robot", flag("S"));
     v("maxStep", p.maxStep, "m", "highest step for a ground robot; 0 = not looked at", flag("M"));
     voxel::ReadingParams::visit(p.reading, v);
+    v("floorFrom", p.floorFrom, "",
+      "where the ground is: lowestFree = bottom of the lowest free range, seen = only where it was "
+      "seen or is inferred from what was seen around",
+      flag("F").since(1));
+    v("maxGap", p.maxGap, "m",
+      "longest gap that the ground is inferred over, with floorFrom = seen", params::since(1));
+    v("maxHiddenGap", p.maxHiddenGap, "m", "the same where something may hide in the gap",
+      params::since(1));
   }
   /** \exception std::invalid_argument naming the parameter, its value and what would be right */
   void check() const;
@@ -38,6 +75,8 @@ struct ConversionParams
   std::int32_t minRunVoxels(double resolution) const;
   /** Largest floor difference in voxels that is no step; only meaningful with maxStep > 0. */
   std::int32_t maxStepVoxels(double resolution) const;
+  /** h of maxGap: what is no step between the supports of seen cells [voxels]. */
+  std::int32_t supportStepVoxels(double resolution) const;
   /** Height of the lowest straight step that the slope test marks: maxSlope·res·(2·S_A+1)/1.5 [m].
    * Averaging over the window hides lower ones; maxStep finds them. */
   double minStep(double resolution) const;

@@ -17,7 +17,9 @@ struct Layers
   grid::Layer<float> ceiling;  //!< top face of the highest kept free range [m]; NaN: none kept
   grid::Layer<float> slope;    //!< slope of the floor [m/m]; NaN: no floor or no plane
   grid::Layer<float> aerial;  //!< occupancy for a flying robot: 0 free, (0,1] occupied, −1 unknown
-  grid::Layer<float> ground;  //!< occupancy for a ground robot: likewise
+  grid::Layer<float> ground;    //!< occupancy for a ground robot: likewise
+  grid::Layer<float> support;   //!< height of the ground [m]; NaN: none is known of
+  grid::Layer<float> evidence;  //!< what is known of the ground, see Evidence.h
 
   /** A layer and what is said of it, see grid::StyledLayer. */
   struct Entry
@@ -26,6 +28,9 @@ struct Layers
     const char *name, *title, *unit;
     grid::LayerKind kind;
     grid::Layer<float> Layers::*freeFor = nullptr;
+
+    /** Whether it came with the evidence of the ground: files of earlier versions lack it. */
+    bool isOfGround() const { return member == &Layers::support || member == &Layers::evidence; }
   };
   /** All layers in the order of export: whatever is done for each of them goes through this list.
    */
@@ -57,6 +62,8 @@ struct LayerStatistics
   std::size_t unknown = 0;       //!< aerial cells of which nothing is known
   std::size_t steep = 0;         //!< free in the aerial but occupied in the ground layer
   std::size_t slopeUnknown = 0;  //!< free cells whose slope could not be fitted
+  std::size_t frontier = 0;      //!< free cells whose ground nobody has seen and nothing tells
+  std::size_t inferred = 0;      //!< free cells whose ground is inferred from cells around
 };
 LayerStatistics statistics(const Layers& layers);
 

@@ -4,6 +4,7 @@
 #include <mrpt_mapconv/grid/Layer.h>
 
 #include <algorithm>
+#include <array>
 
 namespace mrpt_mapconv::grid::picture
 {
@@ -19,6 +20,19 @@ inline const TColor kOccupiedColor{32, 38, 46};
 inline const TColor kUnknownColor{199, 203, 209};
 inline const TColor kSteepColor{232, 131, 46};
 inline const TColor kPathColor{0, 114, 178};
+
+/** A value of LayerKind::Evidence. */
+struct EvidenceLook
+{
+  TColor color;
+  const char* meaning;
+};
+inline const std::array<EvidenceLook, 5> kEvidenceLooks{
+    {{kNoDataColor, "nothing known"},
+     {{255, 255, 255}, "ground seen"},
+     {{186, 222, 242}, "ground inferred from what was seen around"},
+     {{204, 121, 167}, "ground not seen: it lies at or below what is free"},
+     {{32, 38, 46}, "wall"}}};
 
 /** Colour of t in [0, 1]: dark blue over green to yellow, of evenly rising lightness, so that it
  * also reads without colour vision and in print (MRPT's jet does not). */

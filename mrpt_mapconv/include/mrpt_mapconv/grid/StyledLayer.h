@@ -13,11 +13,12 @@ enum class LayerKind
   Height,     //!< heights; NaN: not known
   Slope,      //!< slopes from 0 up; NaN: not known
   Occupancy,  //!< 0 free, (0, 1] occupied, else unknown
+  Evidence,   //!< 0 none, 1 seen, 2 inferred, 3 open, 4 wall, of what is known of the ground
 };
 
 /** A cell of which nothing is known. */
 float unknownCell(LayerKind kind);
-/** "height", "slope" or "occupancy". */
+/** "height", "slope", "occupancy" or "evidence". */
 const char* nameOf(LayerKind kind);
 
 /** A layer and all that files, pictures and views say about it. It does not own the layer. */

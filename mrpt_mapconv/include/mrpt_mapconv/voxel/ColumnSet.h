@@ -28,6 +28,8 @@ class ColumnSet
 
   /** Adds the column with keys (kx, ky). */
   void insert(std::int32_t kx, std::int32_t ky);
+  /** Adds columns of a block. */
+  void insert(const BlockKey& block, const ColumnMask& columns);
   /** Adds all columns of another set. */
   void insert(const ColumnSet& other);
   bool contains(std::int32_t kx, std::int32_t ky) const;
@@ -35,6 +37,16 @@ class ColumnSet
   std::size_t size() const;  //!< number of columns
   void clear() { m_blocks.clear(); }
   const Blocks& blocks() const { return m_blocks; }
+
+  /** Calls visit(kx, ky) for every column, block by block. */
+  template <class Visit>
+  void forEach(const Visit& visit) const
+  {
+    for (const auto& [key, mask] : m_blocks)
+      for (std::int32_t y = 0; y < kBlockSide; ++y)
+        for (std::uint32_t row = mask[static_cast<std::size_t>(y)]; row; row &= row - 1)
+          visit(key.x * kBlockSide + __builtin_ctz(row), key.y * kBlockSide + y);
+  }
 
   /** All columns within Chebyshev distance `radius` of one in the set. */
   ColumnSet dilated(std::int32_t radius) const;

@@ -1,0 +1,232 @@
+#include "SupportPass.h"
+
+#include <mrpt_mapconv/freespace/Evidence.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "../grid/Parallel.h"
+#include "FloorTile.h"
+
+namespace mrpt_mapconv::freespace
+{
+using evidence::isOpen;
+using evidence::kSeen;
+using evidence::kWall;
+
+namespace
+{
+constexpr std::int32_t kNever = std::numeric_limits<std::int32_t>::min();
+
+/** The last seen cell on each of many parallel lines; none where a wall came after it. */
+class LastSeen
+{
+ public:
+  explicit LastSeen(std::int32_t lines) : m_row(static_cast<std::size_t>(lines), kNever) {}
+  std::int32_t& operator[](std::int32_t line) { return m_row[static_cast<std::size_t>(line)]; }
+
+ private:
+  std::vector<std::int32_t> m_row;
+};
+}  // namespace
+
+struct SupportPass::Offers
+{
+  explicit Offers(const Window& cells)
+      : window(cells),
+        gapSq(static_cast<std::size_t>(cells.width) * static_cast<std::size_t>(cells.height),
+              std::numeric_limits<std::int32_t>::max())
+  {
+  }
+
+  Window window;                    //!< cells that may be written
+  std::vector<std::int32_t> gapSq;  //!< of the line that a cell has its support from [cells²]
+  std::vector<char> wanted;         //!< cells that are found anew; empty: all
+};
+
+SupportRules::SupportRules(const ConversionParams& params, double resolution)
+    : step(params.supportStepVoxels(resolution)), hiddenSlack(std::max(step, 1))
+{
+  constexpr double kSlack = 1e-6;  // of a cell
+  const auto cells = [&](double metres) { return metres / resolution + kSlack; };
+  const auto squareOf = [&](double metres)
+  { return static_cast<std::int32_t>(std::min(cells(metres) * cells(metres), 1e9)); };
+  maxHiddenSq = squareOf(params.maxHiddenGap);
+  maxGapSq = std::max(squareOf(params.maxGap), maxHiddenSq);
+  reach = static_cast<std::int32_t>(std::sqrt(static_cast<double>(maxGapSq)) + 1e-9);
+}
+
+SupportPass::SupportPass(const ConversionParams& params, Layers& layers)
+    : m_layers(layers), m_rules(params, layers.frame().resolution)
+{
+}
+
+void SupportPass::findAll(int threads)
+{
+  const grid::GridFrame& frame = m_layers.frame();
+  grid::inParallel(static_cast<std::size_t>(frame.height), threads,
+                   [&](std::size_t begin, std::size_t end)
+                   {
+                     const auto yBegin = static_cast<std::int32_t>(begin),
+                                yEnd = static_cast<std::int32_t>(end);
+                     Offers offers({0, yBegin, frame.width, yEnd - yBegin});
+                     const std::int32_t yFrom = std::max(0, yBegin - m_rules.reach),
+                                        yTo = std::min(frame.height, yEnd + m_rules.reach);
+                     sweep({0, yFrom, frame.width, yTo - yFrom}, offers);
+                   });
+  // Only now: a sweep reads the evidence of rows that belong to another one.
+  auto& known = m_layers.evidence.cells();
+  for (std::size_t cell = 0; cell < known.size(); ++cell)
+    if (known[cell] == evidence::kOpen && !std::isnan(m_layers.support.cells()[cell]))
+      known[cell] = evidence::kInferred;
+}
+
+/** Goes through the cells row by row. Each seen cell ends a segment on every axis on which there
+ * was a seen cell before it. */
+void SupportPass::sweep(const Window& window, Offers& offers) const
+{
+  const std::int32_t w = window.width, h = window.height;
+  // of a column, and of the two diagonals, the row of the last seen cell
+  LastSeen columns(w), rising(w + h), falling(w + h);
+  const double inverse = 1.0 / m_layers.frame().resolution;
+  const auto keyAt = [&](std::int32_t x, std::int32_t y)
+  { return heightKey(m_layers.floor.at(x, y), inverse); };
+  for (std::int32_t y = 0; y < h; ++y)
+  {
+    const float* row = m_layers.evidence.row(window.y0 + y) + window.x0;
+    std::int32_t lastX = kNever;
+    for (std::int32_t x = 0; x < w; ++x)
+    {
+      if (row[x] != kSeen && row[x] != kWall) continue;
+      std::int32_t &column = columns[x], &rise = rising[x - y + h], &fall = falling[x + y];
+      if (row[x] == kSeen)
+      {
+        const auto end = [&](std::int32_t n, std::int32_t dx, std::int32_t dy)
+        {
+          if (n <= 1 || n > m_rules.reach) return;
+          const std::int32_t ix = window.x0 + x, iy = window.y0 + y;
+          const std::int32_t fromX = ix - n * dx, fromY = iy - n * dy;
+          offer({fromX, fromY, dx, dy, n, keyAt(fromX, fromY), keyAt(ix, iy)}, offers);
+        };
+        if (lastX != kNever) end(x - lastX, 1, 0);
+        if (column != kNever) end(y - column, 0, 1);
+        if (rise != kNever) end(y - rise, 1, 1);
+        if (fall != kNever) end(y - fall, -1, 1);
+      }
+      lastX = row[x] == kSeen ? x : kNever;
+      column = rise = fall = row[x] == kSeen ? y : kNever;
+    }
+  }
+}
+
+/** Gives a line to the open cells on it that it supports better than the lines before: the shorter
+ * gap, then the lower line. */
+void SupportPass::offer(const SupportLine& line, Offers& offers) const
+{
+  if (!m_rules.allows(line)) return;
+  const grid::GridFrame& frame = m_layers.frame();
+  const double inverse = 1.0 / frame.resolution;
+  const auto forEachOpen = [&](const auto& visit)
+  {
+    for (std::int32_t k = 1; k < line.n; ++k)
+    {
+      const std::int32_t x = line.x + k * line.dx, y = line.y + k * line.dy;
+      if (!isOpen(m_layers.evidence.at(x, y))) continue;
+      if (!visit(k, x, y, heightKey(m_layers.floor.at(x, y), inverse))) return false;
+    }
+    return true;
+  };
+  if (!forEachOpen([&](std::int32_t k, std::int32_t, std::int32_t, std::int32_t floor)
+                   { return !m_rules.refutes(line, k, floor); }))
+    return;
+  const std::int32_t gapSq = line.gapSq();
+  forEachOpen(
+      [&](std::int32_t k, std::int32_t x, std::int32_t y, std::int32_t floor)
+      {
+        if (!offers.window.contains(x, y) || !m_rules.supports(line, k, floor)) return true;
+        const std::size_t cell = offers.window.index(x, y);
+        if (!offers.wanted.empty() && !offers.wanted[cell]) return true;
+        const auto support =
+            static_cast<float>(line.unitsAt(k) * (frame.resolution / kSupportUnits));
+        float& best = m_layers.support.at(x, y);
+        if (gapSq > offers.gapSq[cell] || (gapSq == offers.gapSq[cell] && support >= best))
+          return true;
+        best = support;
+        offers.gapSq[cell] = gapSq;
+        return true;
+      });
+}
+
+/** Marks the open cells whose segments a cell lies on, or ends: along each axis as far as the next
+ * seen cell or wall. */
+void SupportPass::markAround(std::int32_t ix, std::int32_t iy, Offers& offers) const
+{
+  const auto mark = [&](std::int32_t x, std::int32_t y)
+  {
+    if (!offers.window.contains(x, y) || !isOpen(m_layers.evidence.at(x, y))) return false;
+    offers.wanted[offers.window.index(x, y)] = 1;
+    return true;
+  };
+  const auto isBetween = [&](std::int32_t x, std::int32_t y)
+  {
+    if (!offers.window.contains(x, y)) return false;
+    const float evidence = m_layers.evidence.at(x, y);
+    return evidence != kSeen && evidence != kWall;
+  };
+  mark(ix, iy);
+  for (std::int32_t dy = -1; dy <= 1; ++dy)
+    for (std::int32_t dx = -1; dx <= 1; ++dx)
+      for (std::int32_t k = 1; k <= m_rules.reach && (dx != 0 || dy != 0); ++k)
+      {
+        if (!isBetween(ix + k * dx, iy + k * dy)) break;
+        mark(ix + k * dx, iy + k * dy);
+      }
+}
+
+voxel::ColumnSet SupportPass::findAround(const voxel::ColumnSet& changed)
+{
+  voxel::ColumnSet different = changed;
+  const grid::GridFrame& frame = m_layers.frame();
+  const auto windowAround = [&](const grid::GridFrame& box, std::int32_t margin)
+  {
+    const std::int32_t x0 = std::max(0, box.x0 - frame.x0 - margin),
+                       y0 = std::max(0, box.y0 - frame.y0 - margin);
+    return Window{x0, y0, std::min(frame.width, box.xEnd() - frame.x0 + margin) - x0,
+                  std::min(frame.height, box.yEnd() - frame.y0 + margin) - y0};
+  };
+  const grid::GridFrame box = changed.bounds(frame.resolution);
+  Offers offers(windowAround(box, m_rules.reach));
+  offers.wanted.assign(offers.gapSq.size(), 0);
+  changed.forEach([&](std::int32_t kx, std::int32_t ky)
+                  { markAround(kx - frame.x0, ky - frame.y0, offers); });
+
+  struct Before
+  {
+    std::int32_t x, y;
+    float support;
+  };
+  std::vector<Before> before;
+  const Window& w = offers.window;
+  for (std::int32_t y = w.y0; y < w.y0 + w.height; ++y)
+    for (std::int32_t x = w.x0; x < w.x0 + w.width; ++x)
+    {
+      if (!offers.wanted[w.index(x, y)]) continue;
+      float &support = m_layers.support.at(x, y), &known = m_layers.evidence.at(x, y);
+      before.push_back({x, y, support});
+      support = Layers::kNone;
+      known = evidence::kOpen;
+    }
+  if (before.empty()) return different;
+  sweep(windowAround(box, 2 * m_rules.reach), offers);
+  for (const Before& b : before)
+  {
+    const float support = m_layers.support.at(b.x, b.y);
+    if (!std::isnan(support)) m_layers.evidence.at(b.x, b.y) = evidence::kInferred;
+    if (support != b.support && !(std::isnan(support) && std::isnan(b.support)))
+      different.insert(b.x + frame.x0, b.y + frame.y0);
+  }
+  return different;
+}
+
+}  // namespace mrpt_mapconv::freespace
