@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <thread>
 
 #include "../grid/Parallel.h"
 #include "FloorTile.h"
@@ -64,12 +65,21 @@ SupportPass::SupportPass(const ConversionParams& params, Layers& layers)
 
 void SupportPass::findAll(int threads)
 {
+  // Each band of rows also has to sweep those within reach around it, so there are few.
   const grid::GridFrame& frame = m_layers.frame();
-  grid::inParallel(static_cast<std::size_t>(frame.height), threads,
+  const std::int32_t cores =
+      threads > 0 ? threads : static_cast<std::int32_t>(std::thread::hardware_concurrency());
+  const std::int32_t bands = std::clamp(frame.height / (4 * m_rules.reach + 1), 1, cores);
+  grid::inParallel(static_cast<std::size_t>(bands), bands,
                    [&](std::size_t begin, std::size_t end)
                    {
-                     const auto yBegin = static_cast<std::int32_t>(begin),
-                                yEnd = static_cast<std::int32_t>(end);
+                     const auto rowOf = [&](std::size_t band)
+                     {
+                       return static_cast<std::int32_t>(band *
+                                                        static_cast<std::size_t>(frame.height) /
+                                                        static_cast<std::size_t>(bands));
+                     };
+                     const std::int32_t yBegin = rowOf(begin), yEnd = rowOf(end);
                      Offers offers({0, yBegin, frame.width, yEnd - yBegin});
                      const std::int32_t yFrom = std::max(0, yBegin - m_rules.reach),
                                         yTo = std::min(frame.height, yEnd + m_rules.reach);

@@ -26,7 +26,9 @@ TEST(Layers, AreNamedInTheOrderOfExport)
   layers.slope.at(0, 0) = 3;
   layers.aerial.at(0, 0) = 4;
   layers.ground.at(0, 0) = 5;
-  const char* names[] = {"floor", "ceiling", "slope", "aerial", "ground"};
+  layers.support.at(0, 0) = 6;
+  layers.evidence.at(0, 0) = 7;
+  const char* names[] = {"floor", "ceiling", "slope", "aerial", "ground", "support", "evidence"};
   float value = 1;
   for (const auto& [name, layer] : layers.named())
   {
