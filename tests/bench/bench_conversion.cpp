@@ -139,6 +139,26 @@ void convertAll(benchmark::State& state, const Subject& map, int threads)
   state.counters["leaves"] = static_cast<double>(map.tree->getNumLeafNodes());
 }
 
+freespace::ConversionParams seenParams()
+{
+  freespace::ConversionParams params;
+  params.maxStep = 0.2;
+  params.floorFrom = freespace::FloorFrom::Seen;
+  return params;
+}
+
+/** What the evidence of floors costs. */
+void convertSeen(benchmark::State& state, const Subject& map, int threads)
+{
+  const auto seen = seenParams();
+  auto paper = seen;
+  paper.floorFrom = freespace::FloorFrom::LowestFree;
+  compare(
+      state, [&] { benchmark::DoNotOptimize(freespace::convert(map.source, seen, threads)); },
+      [&] { benchmark::DoNotOptimize(freespace::convert(map.source, paper, threads)); },
+      "ratio_to_lowest_free");
+}
+
 void projectAll(benchmark::State& state, const Subject& map)
 {
   constexpr double infinite = std::numeric_limits<double>::infinity();
@@ -150,14 +170,15 @@ void projectAll(benchmark::State& state, const Subject& map)
 }
 
 /** \param cold a full conversion before each update drives the columns' nodes out of the caches */
-void updatePart(benchmark::State& state, const Subject& map, bool inOneSquare, bool cold = false)
+void updatePart(benchmark::State& state, const Subject& map, bool inOneSquare, bool cold = false,
+                const freespace::ConversionParams& params = {})
 {
-  freespace::IncrementalLayers layers({}, 1);
+  freespace::IncrementalLayers layers(params, 1);
   layers.rebuild(map.source);
   const auto& frame = layers.layers().frame();
   const auto changed = inOneSquare ? centredSquare(frame, 0.01) : scattered(frame, 0.01);
   double best = std::numeric_limits<double>::max(), bestFull = best;
-  const auto full = [&] { freespace::convert(map.source, {}, 1); };
+  const auto full = [&] { freespace::convert(map.source, params, 1); };
   for (int i = 0; i < 7; ++i) bestFull = std::min(bestFull, seconds(full));
   for (auto _ : state)
   {
@@ -178,7 +199,7 @@ void memoryOf(benchmark::State& state, const voxel::VoxelSource& source, int thr
     const std::size_t before = allocated;
     peak = before;
     const auto layers = freespace::convert(source, {}, threads);
-    layersSize = 5.0 * sizeof(float) * static_cast<double>(layers.frame().size());
+    layersSize = 7.0 * sizeof(float) * static_cast<double>(layers.frame().size());
     extra = static_cast<double>(peak - before) - layersSize;
   }
   state.counters["layers_MB"] = layersSize / 1e6;
@@ -242,11 +263,17 @@ void registerAll(const std::string& map)
   };
   add("convert/1_thread", [](auto& state, auto& m) { convertAll(state, m, 1); });
   add("convert/2_threads", [](auto& state, auto& m) { convertAll(state, m, 2); });
+  add("convert_seen/1_thread", [](auto& state, auto& m) { convertSeen(state, m, 1); });
+  add("convert_seen/2_threads", [](auto& state, auto& m) { convertSeen(state, m, 2); });
   add("project_fixed/1_thread", [](auto& state, auto& m) { projectAll(state, m); });
   add("update_1_percent/square", [](auto& state, auto& m) { updatePart(state, m, true); });
   add("update_1_percent/square_cold",
       [](auto& state, auto& m) { updatePart(state, m, true, true); });
   add("update_1_percent/scattered", [](auto& state, auto& m) { updatePart(state, m, false); });
+  add("update_1_percent_seen/square",
+      [](auto& state, auto& m) { updatePart(state, m, true, false, seenParams()); });
+  add("update_1_percent_seen/scattered",
+      [](auto& state, auto& m) { updatePart(state, m, false, false, seenParams()); });
   const auto addMemory = [&](const std::string& what, int threads)
   {
     benchmark::RegisterBenchmark((map + "/" + what).c_str(), [=](benchmark::State& state)

@@ -79,6 +79,7 @@ std::string jsonSummary(const SummaryHead& head, const freespace::LayerStatistic
 {
   JsonObject json = summaryJson(head, {counts.free, counts.occupied, counts.unknown});
   json.add("steep", counts.steep).add("slopeUnknown", counts.slopeUnknown);
+  json.add("inferred", counts.inferred).add("frontier", counts.frontier);
   JsonObject parameters;
   addFields(params, parameters);
   const double resolution = head.frame.resolution;
@@ -96,6 +97,11 @@ std::string textSummary(const SummaryHead& head, const freespace::LayerStatistic
       "ground       %zu of the free cells are too steep or too high a step (steep), "
       "%zu have no known slope (slopeUnknown)\n",
       counts.steep, counts.slopeUnknown);
+  if (params.floorFrom == freespace::FloorFrom::Seen)
+    text += mrpt::format(
+        "evidence     under %zu of the free cells the ground was not seen but is inferred "
+        "(inferred), under %zu it is not known (frontier)\n",
+        counts.inferred, counts.frontier);
   text += mrpt::format(
       "minStep      %.2f m: lowest straight step that the slope test marks\n"
       "minThinWall  %.2f m: lowest wall one cell thick that it marks, on either side; single posts "

@@ -65,12 +65,15 @@ SupportPass::SupportPass(const ConversionParams& params, Layers& layers)
 
 void SupportPass::findAll(int threads)
 {
-  // Each band of rows also has to sweep those within reach around it, so there are few.
+  // Each band of rows also has to sweep those within reach around it, so there are few; but what a
+  // band keeps beside the layers should not grow with the map.
+  constexpr std::int32_t kMostRows = 1024;
   const grid::GridFrame& frame = m_layers.frame();
   const std::int32_t cores =
       threads > 0 ? threads : static_cast<std::int32_t>(std::thread::hardware_concurrency());
-  const std::int32_t bands = std::clamp(frame.height / (4 * m_rules.reach + 1), 1, cores);
-  grid::inParallel(static_cast<std::size_t>(bands), bands,
+  const std::int32_t shared = std::clamp(frame.height / (4 * m_rules.reach + 1), 1, cores);
+  const std::int32_t bands = std::max(shared, frame.height / kMostRows);
+  grid::inParallel(static_cast<std::size_t>(bands), shared,
                    [&](std::size_t begin, std::size_t end)
                    {
                      const auto rowOf = [&](std::size_t band)
