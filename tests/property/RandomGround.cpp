@@ -121,7 +121,7 @@ DenseMap randomGround(Rng& rng, double resolution)
   DenseMap map;
   map.resolution = resolution;
   map.x0 = 32 * pick(rng, -3, 2) + pick(rng, -9, 9), map.y0 = 32 * pick(rng, -3, 2);
-  map.z0 = pick(rng, -60, 20);
+  map.z0 = chance(rng, 80) ? pick(rng, -60, 20) : chance(rng, 50) ? -32768 : 32768 - kHeight;
   map.nx = pick(rng, 1, 75), map.ny = chance(rng, 70) ? pick(rng, 1, 75) : pick(rng, 1, 4);
   map.nz = kHeight;
   map.voxels.assign(static_cast<std::size_t>(map.nx) * static_cast<std::size_t>(map.ny) * kHeight,
