@@ -77,6 +77,34 @@ TEST(Evidence, AgreesWithTheOracleOnRandomGround)
   EXPECT_GT(met.drops, 1'000u);
 }
 
+/** Only over gaps of 128 cells does a line meet halves of 64ths of voxels. */
+TEST(Evidence, AgreesWithTheOracleOverGapsOf128Cells)
+{
+  for (unsigned seed = 1; seed <= 30 && !HasFailure(); ++seed)
+  {
+    Rng rng(seed);
+    DenseMap map;
+    map.resolution = 0.05;
+    map.x0 = pick(rng, -300, 300), map.z0 = pick(rng, -60, 20);
+    map.nx = pick(rng, 200, 300), map.ny = pick(rng, 1, 3), map.nz = 40;
+    map.voxels.assign(static_cast<std::size_t>(map.nx * map.ny * map.nz), oracle::Voxel::Unknown);
+    for (int iy = 0; iy < map.ny; ++iy)
+    {
+      const int first = pick(rng, 0, 60);
+      for (int ix = 0; ix < map.nx; ++ix)
+        setColumn(rng, map, ix, iy, (ix - first) % 128 == 0 ? ColumnKind::Seen : ColumnKind::Open,
+                  pick(rng, 15, 17));
+    }
+    ConversionParams params = randomGroundParams(rng, map.resolution);
+    params.minClearance = 0.1;
+    params.maxStep = 0.1;
+    params.maxGap = 128 * map.resolution;
+    SCOPED_TRACE(about(seed, map, params));
+    EXPECT_TRUE(agreesWithOracle(freespace::convert(DenseSource(map), params, 1), map,
+                                 oracle::convert(map, params)));
+  }
+}
+
 /** Of maps that were not made for it: all kinds of RandomMap. */
 TEST(Evidence, AgreesWithTheOracleOnAnyRandomMap)
 {
