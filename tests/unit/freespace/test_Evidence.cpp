@@ -112,7 +112,7 @@ TEST(Evidence, NoLineLeadsThroughAWall)
 
 TEST(Evidence, LinesLeadAlongRowsColumnsAndDiagonals)
 {
-  // the diagonal; the other eight ways of laying it are looked at, too
+  // one diagonal here; plans are tried turned and mirrored, too
   expectSupport({"s0 . . . . . .",  //
                  ". o0 . . . . .",  //
                  ". . o0 . . . .",  //
