@@ -60,7 +60,7 @@ class HeightPass
 
  private:
   voxel::ColumnMask writeHeights(BlockJob& job);
-  void writeEvidence(BlockJob& job);
+  bool writeGround(bool newFloor, float floor, float now, float& known, float& support);
   float evidenceOf(std::int32_t column, const FreeSpan& span) const;
   void collectWalls(BlockJob& job, const voxel::ColumnMask& free);
 
@@ -69,7 +69,6 @@ class HeightPass
   bool m_blank, m_supportIsFloor;
   voxel::ColumnBlock m_block;
   FreeSpanFinder m_spans;
-  std::array<float, voxel::kBlockColumns> m_evidence{};  //!< of the changed columns
 };
 
 /** Second pass, once the floors around the block are known: the aerial occupancy of the changed
@@ -110,7 +109,8 @@ class GroundPass
   static std::int32_t reach(const ConversionParams& params, double resolution);
 
  private:
-  float groundAt(std::int32_t x, std::int32_t y, const BlockPlace& place) const;
+  voxel::ColumnMask withSupport() const;
+  void writeUnsupported(const BlockPlace& place, const voxel::ColumnMask& columns);
   bool hasStepOrDrop(std::int32_t x, std::int32_t y, const BlockPlace& place) const;
   bool leadsToDrop(std::int32_t ix, std::int32_t iy, std::int32_t dx, std::int32_t dy,
                    std::int32_t support) const;
