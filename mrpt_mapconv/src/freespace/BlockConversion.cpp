@@ -76,15 +76,6 @@ bool any(const voxel::ColumnMask& mask)
 
 std::uint32_t bitIf(bool set, std::int32_t x) { return static_cast<std::uint32_t>(set) << x; }
 
-constexpr double kDropReach = 1.0;  // how far drop edges look [m]
-
-/** How many steps of a length lie within another one. */
-std::int32_t stepsWithin(double metres, double step)
-{
-  constexpr double kSlack = 1e-6;
-  return static_cast<std::int32_t>(std::min(metres / step + kSlack, 1e6));
-}
-
 bool sameBits(float a, float b) { return std::memcmp(&a, &b, sizeof(float)) == 0; }
 }  // namespace
 
@@ -322,21 +313,17 @@ GroundPass::GroundPass(const ConversionParams& params, Layers& layers)
     : m_params(params),
       m_layers(layers),
       m_checkSteps(params.maxStep > 0),
-      m_checkDrops(m_checkSteps && params.floorFrom == FloorFrom::Seen),
       m_maxStep(kSupportUnits * params.maxStepVoxels(layers.frame().resolution)),
-      m_maxDrop(m_maxStep + kSupportUnits),
-      m_straightSteps(stepsWithin(kDropReach, layers.frame().resolution)),
-      m_diagonalSteps(stepsWithin(kDropReach, std::sqrt(2.0) * layers.frame().resolution)),
+      m_drops(params, layers),
       m_supports(params.slopeWindow, kSupportUnits),
       m_floors(1, kSupportUnits),
       m_slopeFilter(params.slopeWindow)
 {
 }
 
-std::int32_t GroundPass::reach(const ConversionParams& params, double resolution)
+std::int32_t GroundPass::reach() const
 {
-  const bool drops = params.maxStep > 0 && params.floorFrom == FloorFrom::Seen;
-  return std::max({1, params.slopeWindow, drops ? stepsWithin(kDropReach, resolution) : 0});
+  return std::max({1, m_params.slopeWindow, m_drops.isOn() ? m_drops.reach() : 0});
 }
 
 void GroundPass::run(voxel::BlockKey block, const voxel::ColumnMask& columns)
@@ -347,7 +334,7 @@ void GroundPass::run(voxel::BlockKey block, const voxel::ColumnMask& columns)
   const voxel::ColumnMask supported = columns & withSupport();
   writeUnsupported(place, columns & ~supported);
   if (!any(supported)) return;
-  if (m_checkDrops) m_floors.load(m_layers.floor, block);
+  if (m_drops.isOn()) m_floors.load(m_layers.floor, block);
   m_slopeFilter.compute(m_supports, boundsOf(supported), m_slope);
   forEachRow(supported,
              [&](std::int32_t y, std::uint32_t row)
@@ -400,8 +387,7 @@ void GroundPass::writeUnsupported(const BlockPlace& place, const voxel::ColumnMa
 }
 
 /** Whether the support differs from one of the 8 neighbours' by more than a step, or is that of a
- * drop edge: over open cells without support one comes, within 1 m, to a floor that lies lower than
- * a step and a voxel. */
+ * drop edge. */
 bool GroundPass::hasStepOrDrop(std::int32_t x, std::int32_t y, const BlockPlace& place) const
 {
   const std::int32_t support = *m_supports.at(x, y);
@@ -409,35 +395,15 @@ bool GroundPass::hasStepOrDrop(std::int32_t x, std::int32_t y, const BlockPlace&
     for (std::int32_t dx = -1; dx <= 1; ++dx)
     {
       const std::int32_t neighbour = *m_supports.at(x + dx, y + dy);
-      if (neighbour != FloorTile::kNoFloor && std::abs(neighbour - support) > m_maxStep)
-        return true;
-      if (!m_checkDrops || dropSteps(dx, dy) == 0) continue;
+      const bool hasSupport = neighbour != FloorTile::kNoFloor;
+      if (hasSupport && std::abs(neighbour - support) > m_maxStep) return true;
+      if (!m_drops.isOn() || (dx == 0 && dy == 0)) continue;
+      // Most walks end at their first cell, of which the tiles tell enough.
       const std::int32_t floor = *m_floors.at(x + dx, y + dy);
-      if (floor == FloorTile::kNoFloor) continue;
-      if (support - floor > m_maxDrop && (dx != 0 || dy != 0)) return true;
-      if (neighbour == FloorTile::kNoFloor &&
-          leadsToDrop(place.x + x, place.y + y, dx, dy, support))
-        return true;
+      if (floor == FloorTile::kNoFloor || (hasSupport && support - floor <= m_drops.most()))
+        continue;
+      if (m_drops.leadsDown(place.x + x, place.y + y, dx, dy, support)) return true;
     }
-  return false;
-}
-
-/** The walk of a drop edge from cell (ix, iy) on, whose first step is to an open cell without
- * support. */
-bool GroundPass::leadsToDrop(std::int32_t ix, std::int32_t iy, std::int32_t dx, std::int32_t dy,
-                             std::int32_t support) const
-{
-  const grid::GridFrame& frame = m_layers.frame();
-  const double unitsPerMetre = kSupportUnits * (1.0 / frame.resolution);
-  for (std::int32_t k = 1; k <= dropSteps(dx, dy); ++k)
-  {
-    const std::int32_t x = ix + k * dx, y = iy + k * dy;
-    if (x < 0 || y < 0 || x >= frame.width || y >= frame.height) return false;
-    const float floor = m_layers.floor.at(x, y);
-    if (std::isnan(floor)) return false;
-    if (support - heightKey(floor, unitsPerMetre) > m_maxDrop) return true;
-    if (!std::isnan(m_layers.support.at(x, y))) return false;
-  }
   return false;
 }
 

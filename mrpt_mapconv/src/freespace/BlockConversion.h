@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "ColumnRuns.h"
+#include "DropWalk.h"
 #include "FloorTile.h"
 #include "SlopeFilter.h"
 
@@ -106,25 +107,18 @@ class GroundPass
   void run(voxel::BlockKey block, const voxel::ColumnMask& columns);
 
   /** How far away a cell can lie that a cell's slope or ground occupancy depends on [cells]. */
-  static std::int32_t reach(const ConversionParams& params, double resolution);
+  std::int32_t reach() const;
 
  private:
   voxel::ColumnMask withSupport() const;
   void writeUnsupported(const BlockPlace& place, const voxel::ColumnMask& columns);
   bool hasStepOrDrop(std::int32_t x, std::int32_t y, const BlockPlace& place) const;
-  bool leadsToDrop(std::int32_t ix, std::int32_t iy, std::int32_t dx, std::int32_t dy,
-                   std::int32_t support) const;
-  /** How many steps of a drop edge's walk lie within its reach. */
-  std::int32_t dropSteps(std::int32_t dx, std::int32_t dy) const
-  {
-    return dx != 0 && dy != 0 ? m_diagonalSteps : m_straightSteps;
-  }
 
   const ConversionParams& m_params;
   Layers& m_layers;
-  bool m_checkSteps, m_checkDrops;
-  std::int32_t m_maxStep, m_maxDrop;  // 64ths of a voxel
-  std::int32_t m_straightSteps, m_diagonalSteps;
+  bool m_checkSteps;
+  std::int32_t m_maxStep;  // 64ths of a voxel
+  DropWalk m_drops;
   FloorTile m_supports;  // in 64ths of a voxel
   FloorTile m_floors;    // likewise
   SlopeFilter m_slopeFilter;

@@ -113,8 +113,7 @@ voxel::ColumnSet convertColumns(const voxel::VoxelSource& source, const voxel::C
                        }
                      });
   };
-  Strips strips(changed, reach,
-                withGround ? GroundPass::reach(params, layers.frame().resolution) : 1);
+  Strips strips(changed, reach, withGround ? GroundPass(params, layers).reach() : 1);
   Strip before, strip = strips.next();
   findHeights(strip);
   while (!strip.empty())
@@ -263,7 +262,7 @@ voxel::ColumnSet IncrementalLayers::follow(const voxel::VoxelSource& source,
       convertColumns(source, changed, columns, m_params, m_threads, m_layers, false, false);
   if (m_params.floorFrom == FloorFrom::Seen && !newGround.empty())
     newGround = SupportPass(m_params, m_layers).findAround(newGround);
-  columns.insert(newGround.dilated(GroundPass::reach(m_params, frame.resolution)).clipped(frame));
+  columns.insert(newGround.dilated(GroundPass(m_params, m_layers).reach()).clipped(frame));
   findGround(columns, m_params, m_threads, m_layers);
   m_unfinished = false;
   return columns;
