@@ -3,44 +3,15 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <optional>
+
+#include "EvidenceOracle.h"
+#include "ExactPlane.h"
 
 namespace mrpt_mapconv::oracle
 {
 namespace
 {
-// 128 bits hold every product of moments of a 201×201 window with floors up to 2^16 apart.
-__extension__ typedef __int128 Exact;
-
-Exact magnitude(Exact value) { return value < 0 ? -value : value; }
-
-/** A plane's slope as sqrt(a² + b²)/d with exact integers. */
-struct ExactSlope
-{
-  Exact a = 0, b = 0, d = 0;  //!< d = 0: no plane
-};
-
-/** Least squares over the window around (cx, cy). Cells and floors are counted in voxels from the
- * centre; cells and voxels have the same size, so the quotient is in metres per metre. */
-ExactSlope fitPlane(const DenseResult& result, int cx, int cy, int window)
-{
-  Exact n = 0, sx = 0, sy = 0, sz = 0, sxx = 0, sxy = 0, syy = 0, sxz = 0, syz = 0;
-  for (int dy = -window; dy <= window; ++dy)
-    for (int dx = -window; dx <= window; ++dx)
-    {
-      if (!result.inside(cx + dx, cy + dy) || !result.at(cx + dx, cy + dy).free) continue;
-      const Exact x = dx, y = dy;
-      const Exact z = result.at(cx + dx, cy + dy).floorKey - result.at(cx, cy).floorKey;
-      n += 1;
-      sx += x, sy += y, sz += z;
-      sxx += x * x, sxy += x * y, syy += y * y;
-      sxz += x * z, syz += y * z;
-    }
-  const Exact xx = n * sxx - sx * sx, xy = n * sxy - sx * sy, yy = n * syy - sy * sy;
-  const Exact xz = n * sxz - sx * sz, yz = n * syz - sy * sz;
-  // fewer than three cells always lie on one line, and there the determinant is exactly 0
-  return {xz * yy - yz * xy, yz * xx - xz * xy, xx * yy - xy * xy};
-}
-
 /** Overlap of a column's occupied voxels with a free neighbour's [floor, ceiling], in voxels. */
 int overlapWith(const DenseMap& map, int ix, int iy, const Cell& neighbour)
 {
@@ -79,21 +50,12 @@ void findHeights(const DenseMap& map, double minClearance, DenseResult& result)
 
 void fitSlope(int slopeWindow, double maxSlope, int ix, int iy, DenseResult& result)
 {
-  constexpr Exact kExactInDouble = static_cast<Exact>(1) << 53;
-  Cell& cell = result.at(ix, iy);
-  if (!cell.free) return;
-  const ExactSlope s = fitPlane(result, ix, iy, slopeWindow);
-  cell.hasSlope = s.d != 0;
-  if (!cell.hasSlope) return;
-
-  const auto a = static_cast<long double>(s.a), b = static_cast<long double>(s.b);
-  cell.slope = std::hypot(a, b) / static_cast<long double>(s.d);
-  // A plane along an axis is one division of exact integers, so even a tie is certain in double.
-  const Exact rise = magnitude(s.a) + magnitude(s.b);
-  const bool axisAligned = (s.a == 0 || s.b == 0) && rise < kExactInDouble && s.d < kExactInDouble;
-  if (axisAligned) cell.slope = static_cast<double>(rise) / static_cast<double>(s.d);
-  cell.slopeTooHigh = cell.slope > maxSlope;
-  cell.slopeTie = !axisAligned && std::abs(cell.slope - maxSlope) <= 1e-12L * maxSlope;
+  const auto floorAt = [&](int dx, int dy) -> std::optional<std::int64_t>
+  {
+    if (!result.inside(ix + dx, iy + dy) || !result.at(ix + dx, iy + dy).free) return std::nullopt;
+    return result.at(ix + dx, iy + dy).floorKey;
+  };
+  fitPlane(slopeWindow, floorAt, 1, maxSlope, result.at(ix, iy));
 }
 
 void fitSlopes(int slopeWindow, double maxSlope, DenseResult& result)
@@ -174,8 +136,15 @@ DenseResult convert(const DenseMap& read, const freespace::ConversionParams& par
   result.nx = map.nx, result.ny = map.ny;
   result.cells.resize(static_cast<std::size_t>(map.nx) * static_cast<std::size_t>(map.ny));
   findHeights(map, params.minClearance, result);
-  fitSlopes(params.slopeWindow, params.maxSlope, result);
   markAerial(map, params.minOccupancy, result);
+  markEvidence(map, result);
+  if (params.floorFrom == freespace::FloorFrom::Seen)
+  {
+    judgeBySupport(map.resolution, params, result);
+    return result;
+  }
+  supportIsFloor(map.resolution, result);
+  fitSlopes(params.slopeWindow, params.maxSlope, result);
   markGround(map.resolution, params.maxStep, result);
   return result;
 }
@@ -192,6 +161,8 @@ DenseStatistics statistics(const DenseResult& result)
     else
       ++count.unknown;
     if (cell.aerial == 0 && cell.ground > 0) ++count.steep;
+    if (cell.aerial == 0 && cell.ground < 0) ++count.frontier;
+    if (cell.evidence == Evidence::Inferred) ++count.inferred;
     if (cell.free && !cell.hasSlope) ++count.slopeUnknown;
   }
   return count;

@@ -3,12 +3,23 @@
 #include <mrpt_mapconv/freespace/ConversionParams.h>
 
 #include <cstddef>
+#include <cstdint>
 #include <vector>
 
 #include "DenseMap.h"
 
 namespace mrpt_mapconv::oracle
 {
+/** What is known of the ground, numbered as in the layer. */
+enum class Evidence
+{
+  None,
+  Seen,
+  Inferred,
+  Open,
+  Wall
+};
+
 /** All that the conversion says about one cell, before rounding to float where that matters. */
 struct Cell
 {
@@ -17,11 +28,17 @@ struct Cell
   int ceilingKey = 0;            //!< z key one past the highest kept run's last voxel
   float floor = 0, ceiling = 0;  //!< [m]; NaN where not free
 
+  Evidence evidence = Evidence::None;
+  bool hasSupport = false;
+  std::int64_t support64 = 0;  //!< in 64ths of voxels
+  float support = 0;           //!< [m]; NaN without support
+
   bool hasSlope = false;      //!< at least three cells with a floor, not all on one line
   long double slope = 0;      //!< [m/m]
   bool slopeTooHigh = false;  //!< slope > maxSlope
   bool slopeTie = false;      //!< so close to maxSlope that rounding in double may decide otherwise
   bool isStep = false;        //!< maxStep is on and the floor differs by more from a neighbour's
+  bool isDrop = false;        //!< likewise, and it goes down beside it
 
   double aerial = -1, ground = -1;  //!< 0 free, (0, 1] occupied, -1 unknown
 };
@@ -47,6 +64,7 @@ struct DenseResult
 struct DenseStatistics
 {
   std::size_t free = 0, occupied = 0, unknown = 0, steep = 0, slopeUnknown = 0;
+  std::size_t frontier = 0, inferred = 0;
 };
 
 /** The map as it is read with unknown = free: in each column that has an occupied voxel, unknown

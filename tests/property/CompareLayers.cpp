@@ -50,7 +50,7 @@ bool sameSlope(float value, const oracle::Cell& cell)
 
 bool sameGround(float value, const oracle::Cell& cell)
 {
-  const bool tie = cell.free && cell.hasSlope && cell.slopeTie && !cell.isStep;
+  const bool tie = cell.free && cell.hasSlope && cell.slopeTie && !cell.isStep && !cell.isDrop;
   return tie ? value == 0 || value == 1 : sameOccupancy(value, cell.ground);
 }
 
@@ -65,7 +65,8 @@ std::string describe(const Layers& layers, int ix, int iy, const oracle::Cell& c
   out << "\nexpected\n  floor " << cell.floor << "\n  ceiling " << cell.ceiling << "\n  slope "
       << (cell.hasSlope ? cell.slope : std::numeric_limits<long double>::quiet_NaN())
       << (cell.slopeTie ? " (tie)" : "") << "\n  aerial " << cell.aerial << "\n  ground "
-      << cell.ground << (cell.isStep ? " (step)" : "");
+      << cell.ground << (cell.isStep ? " (step)" : "") << (cell.isDrop ? " (drop)" : "")
+      << "\n  support " << cell.support << "\n  evidence " << static_cast<int>(cell.evidence);
   return out.str();
 }
 
@@ -97,7 +98,9 @@ AssertionResult agreesWithOracle(const Layers& layers, const oracle::DenseMap& m
           !sameHeight(layers.ceiling.at(ix, iy), cell.ceiling) ||
           !sameSlope(layers.slope.at(ix, iy), cell) ||
           !sameOccupancy(layers.aerial.at(ix, iy), cell.aerial) ||
-          !sameGround(layers.ground.at(ix, iy), cell))
+          !sameGround(layers.ground.at(ix, iy), cell) ||
+          !sameHeight(layers.support.at(ix, iy), cell.support) ||
+          layers.evidence.at(ix, iy) != static_cast<float>(cell.evidence))
         return AssertionFailure() << describe(layers, ix, iy, cell);
     }
   return AssertionSuccess();
@@ -113,14 +116,16 @@ AssertionResult countsAgree(const freespace::LayerStatistics& counts,
       counts.steep > wanted.steep ? counts.steep - wanted.steep : wanted.steep - counts.steep;
   if (counts.free == wanted.free && counts.occupied == wanted.occupied &&
       counts.unknown == wanted.unknown && counts.slopeUnknown == wanted.slopeUnknown &&
+      counts.frontier == wanted.frontier && counts.inferred == wanted.inferred &&
       steepError <= ties)
     return AssertionSuccess();
   return AssertionFailure() << "free " << counts.free << ", occupied " << counts.occupied
                             << ", unknown " << counts.unknown << ", steep " << counts.steep
-                            << ", slopeUnknown " << counts.slopeUnknown << "; expected "
+                            << ", slopeUnknown " << counts.slopeUnknown << ", frontier "
+                            << counts.frontier << ", inferred " << counts.inferred << "; expected "
                             << wanted.free << ", " << wanted.occupied << ", " << wanted.unknown
-                            << ", " << wanted.steep << " +- " << ties << ", "
-                            << wanted.slopeUnknown;
+                            << ", " << wanted.steep << " +- " << ties << ", " << wanted.slopeUnknown
+                            << ", " << wanted.frontier << ", " << wanted.inferred;
 }
 
 AssertionResult sameBits(const Layers& a, const Layers& b)
@@ -169,7 +174,9 @@ std::string text(const freespace::ConversionParams& params)
   out.precision(17);
   out << "minClearance " << params.minClearance << ", minOccupancy " << params.minOccupancy
       << ", slopeWindow " << params.slopeWindow << ", maxSlope " << params.maxSlope << ", maxStep "
-      << params.maxStep << ", unknown " << params::textOf(params.reading.unknown);
+      << params.maxStep << ", unknown " << params::textOf(params.reading.unknown) << ", floorFrom "
+      << params::textOf(params.floorFrom) << ", maxGap " << params.maxGap << ", maxHiddenGap "
+      << params.maxHiddenGap;
   return out.str();
 }
 

@@ -10,7 +10,8 @@
 
 namespace mrpt_mapconv::test
 {
-/** The library's layers against the oracle's cells: frame, floor and ceiling to the bit, occupancy
+/** The library's layers against the oracle's cells: frame, floor, ceiling, support and
+ * evidence to the bit, occupancy
  * to float rounding, slope within 1e-6, ground exactly except where double rounding decides. The
  * message names the first wrong cell. */
 ::testing::AssertionResult agreesWithOracle(const freespace::Layers& layers,
@@ -21,7 +22,7 @@ namespace mrpt_mapconv::test
 ::testing::AssertionResult countsAgree(const freespace::LayerStatistics& counts,
                                        const oracle::DenseResult& expected);
 
-/** All five layers the same to the bit, on the same frame. */
+/** All layers the same to the bit, on the same frame. */
 ::testing::AssertionResult sameBits(const freespace::Layers& a, const freespace::Layers& b);
 
 /** `wide` is `exact` laid on a larger frame to the bit, with unknown cells all around. */

@@ -3,6 +3,7 @@
 #include <mrpt_mapconv/freespace/Conversion.h>
 #include <mrpt_mapconv/voxel/OctreeSource.h>
 
+#include <algorithm>
 #include <mutex>
 #include <new>
 #include <optional>
@@ -26,6 +27,9 @@ freespace::ConversionParams randomParams(Rng& rng, double res)
   params.maxSlope = uniform(rng, 0, 3);
   params.maxStep = chance(rng, 50) ? pick(rng, 1, 5) * res : 0;
   if (chance(rng, 30)) params.reading.unknown = voxel::Unknown::Free;
+  if (chance(rng, 50)) params.floorFrom = freespace::FloorFrom::Seen;
+  params.maxGap = pick(rng, 0, 30) * res;
+  params.maxHiddenGap = std::min(params.maxGap, pick(rng, 0, 10) * res);
   return params;
 }
 

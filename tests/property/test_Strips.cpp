@@ -8,6 +8,7 @@
 namespace
 {
 using namespace mrpt_mapconv;
+using freespace::FloorFrom;
 
 /** Terrain, walls and gaps by arithmetic on the keys, of any size. */
 class ArithmeticSource : public voxel::VoxelSource
@@ -33,7 +34,9 @@ class ArithmeticSource : public voxel::VoxelSource
         if (hash % 11 == 0) continue;  // unknown
         const bool wall = hash % 7 == 0;
         const auto floor = static_cast<std::int32_t>(kx / 9 + ky / 5 + hash % 3) % 40;
-        for (std::int32_t z = floor; z < floor + 12; ++z) block.markCube<1>(x, y, z, wall);
+        // the ground itself was not seen everywhere
+        if (hash % 3 == 0) block.markCube<1>(x, y, floor, true);
+        for (std::int32_t z = floor + 1; z < floor + 13; ++z) block.markCube<1>(x, y, z, wall);
       }
   }
 
@@ -51,14 +54,16 @@ void expectSame(const freespace::Layers& a, const freespace::Layers& b)
         << left[i].first;
 }
 
-void expectStripsDoNotMatter(std::int32_t width, std::int32_t height, std::int32_t window)
+void expectStripsDoNotMatter(std::int32_t width, std::int32_t height, std::int32_t window,
+                             freespace::FloorFrom floorFrom)
 {
   SCOPED_TRACE(std::to_string(width) + " x " + std::to_string(height) + ", window " +
-               std::to_string(window));
+               std::to_string(window) + ", floorFrom " + params::textOf(floorFrom));
   const ArithmeticSource source(width, height);
   freespace::ConversionParams params;
   params.slopeWindow = window;
   params.maxStep = 0.3;
+  params.floorFrom = floorFrom;
   freespace::IncrementalLayers pieces(params, 2);
   constexpr std::int32_t kPiece = 320;  // 100 blocks
   for (std::int32_t y = 0; y < height; y += kPiece)
@@ -69,19 +74,22 @@ void expectStripsDoNotMatter(std::int32_t width, std::int32_t height, std::int32
   const auto whole = freespace::convert(source, params, 2);
   EXPECT_GT(freespace::statistics(whole).free, whole.frame().size() / 2);
   EXPECT_GT(freespace::statistics(whole).occupied, whole.frame().size() / 100);
+  EXPECT_EQ(freespace::statistics(whole).inferred > 0, floorFrom == FloorFrom::Seen);
   expectSame(pieces.exact(source), whole);
 }
 }  // namespace
 
 TEST(Strips, OfManyRowsGiveTheSameLayers)
 {
-  expectStripsDoNotMatter(1000, 1300, 2);
-  expectStripsDoNotMatter(1000, 1300, 40);
+  expectStripsDoNotMatter(1000, 1300, 2, FloorFrom::LowestFree);
+  expectStripsDoNotMatter(1000, 1300, 2, FloorFrom::Seen);
+  expectStripsDoNotMatter(1000, 1300, 40, FloorFrom::LowestFree);
 }
 
 // a row of blocks is a strip by itself here, unless the window reaches farther than one row
 TEST(Strips, OfOneRowGiveTheSameLayers)
 {
-  expectStripsDoNotMatter(17000, 300, 2);
-  expectStripsDoNotMatter(17000, 300, 100);
+  expectStripsDoNotMatter(17000, 300, 2, FloorFrom::LowestFree);
+  expectStripsDoNotMatter(17000, 300, 2, FloorFrom::Seen);
+  expectStripsDoNotMatter(17000, 300, 100, FloorFrom::LowestFree);
 }
