@@ -189,7 +189,7 @@ TEST(Scenario, NamesAFileThatCannotBeRead)
 TEST(Scenario, WorldsOfTheRepositoryAreGood)
 {
   const std::string worlds = MRPT_MAPCONV_SOURCE_DIR "/config/worlds/";
-  for (const char* name : {"building", "cave", "outdoor"})
+  for (const char* name : {"building", "cave", "drops", "outdoor"})
   {
     const auto s = Scenario::load(worlds + name + ".ini");
     EXPECT_EQ(s.trajectory.isFlat(), std::string(name) == "building");
