@@ -67,7 +67,8 @@ bool PieceOracle::crossesOccupied(const TPoint3D& from, const TPoint3D& to) cons
 bool PieceOracle::stepTooHigh(double fromZ, double toZ, double distance) const
 {
   return std::abs(toZ - fromZ) >
-         std::max({m_conversion.maxStep, m_map.resolution, m_conversion.maxSlope * distance}) +
+         std::max({m_conversion.maxStep, m_map.resolution,
+                   m_conversion.maxSlope * std::max(distance, m_map.resolution)}) +
              1e-5;
 }
 

@@ -1,6 +1,7 @@
 #include <mrpt/core/format.h>
 #include <mrpt_mapconv/files/OutputDir.h>
 #include <mrpt_mapconv/freespace/Conversion.h>
+#include <mrpt_mapconv/freespace/DropEdges.h>
 #include <mrpt_mapconv/freespace/LayerFiles.h>
 #include <mrpt_mapconv/grid/LayerExport.h>
 #include <mrpt_mapconv/voxel/OctreeFile.h>
@@ -42,7 +43,8 @@ void writeOutputs(const freespace::Layers& layers, const ConversionParams& param
   formats.pictures = formats.gridMaps = formats.rosMaps = true;
   voxel::writeOctreeFile(out.path("voxels.bt"), input.octree());
   constexpr double kLayersShare = 0.9;
-  grid::exportLayers(out, layers.styled(), formats,
+  const auto edges = freespace::dropEdges(layers, params);
+  grid::exportLayers(out, layers.styled(edges), formats,
                      [&](double share) { progress.done(kLayersShare * share); });
   writeScene(out.path("map.3Dscene"), layers);
   progress.done(1);

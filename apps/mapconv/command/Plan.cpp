@@ -131,8 +131,9 @@ std::pair<CLI::App*, Command> addPlan(CLI::App& app)
       "The path keeps to free cells whose square is at least the robot's radius away from the\n"
       "square of every cell that is not free; a corridor of n cells is wide enough from\n"
       "n = 2 radius/resolution + 1 on, rounded up to an odd number. A ground robot climbs no\n"
-      "change of height above max(maxStep, one voxel, maxSlope x distance) from point to point,\n"
-      "and no straight piece of a path crosses an occupied voxel.\n"
+      "change of height above max(maxStep, one voxel, maxSlope x distance) from point to point\n"
+      "(a distance of less than a cell counts as one), and no straight piece of a path crosses\n"
+      "an occupied voxel.\n"
       "Without a path the exit status is 1; the message says why, and which flag would help.");
   return {sub, [options] { return plan(*options); }};
 }

@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "command/Command.h"
 #include "output/Job.h"
@@ -20,6 +21,7 @@ namespace
 struct SimulateOptions
 {
   std::string worldFile, outputDir;
+  std::vector<std::string> sensors;  // all that are not spare if empty
   std::uint64_t seed = 1;
   bool json = false;
 };
@@ -54,8 +56,9 @@ int simulate(const SimulateOptions& options)
 {
   Job job;
   Stopwatch stopwatch;
-  const auto scenario = job.stage("load", "reading " + options.worldFile,
-                                  [&] { return sim::Scenario::load(options.worldFile); });
+  const auto scenario =
+      job.stage("load", "reading " + options.worldFile,
+                [&] { return sim::Scenario::load(options.worldFile, options.sensors); });
   sim::SimulationSummary summary;
   job.write(options.outputDir,
             [&](files::OutputDir& out)
@@ -84,6 +87,11 @@ std::pair<CLI::App*, Command> addSimulate(CLI::App& app)
          "--seed", [options](const std::string& text) { options->seed = seedOf(text); },
          "for all that is random, default 1; the same seed gives the same files")
       ->type_name("N");
+  sub->add_option("--sensor", options->sensors,
+                  "the sensor that the robot has, may be given several times; default: all that "
+                  "are not spare")
+      ->type_name("NAME")
+      ->allow_extra_args(false);
   sub->add_flag("--json", options->json, "print the summary as one JSON object");
   sub->footer(
       "Example:\n  mapconv simulate config/worlds/building.ini -o building\n"

@@ -1,9 +1,7 @@
 #include "input/InputFile.h"
 
-#include <mrpt_mapconv/params/Text.h>
+#include <mrpt_mapconv/files/FileIo.h>
 #include <mrpt_mapconv/voxel/OctreeFile.h>
-
-#include <filesystem>
 
 namespace mapconv
 {
@@ -20,11 +18,8 @@ std::string shownName(const std::string& path) { return path == "-" ? "stdin" : 
 bool isOctree(InputStream& stream)
 {
   if (voxel::beginsAsOctree(stream.preview())) return true;
-  const std::filesystem::path path(stream.name());
-  const std::string ending = params::lowerCase(path.extension().string());
-  const std::string kind =
-      ending == ".gz" ? params::lowerCase(path.stem().extension().string()) : ending;
-  return kind == ".bt" || kind == ".ot";
+  const std::string ending = files::endingOf(stream.name());
+  return ending == ".bt" || ending == ".ot";
 }
 
 }  // namespace mapconv

@@ -17,6 +17,14 @@ CellMask both(const CellMask& a, const CellMask& b)
   return mask;
 }
 
+CellMask without(const CellMask& a, const CellMask& b)
+{
+  CellMask mask = on(a.frame(), b, std::uint8_t{0});
+  for (std::size_t i = 0; i < mask.cells().size(); ++i)
+    mask.cells()[i] = a.cells()[i] && !mask.cells()[i];
+  return mask;
+}
+
 CellMask cellsFrom(const Layer<float>& layer, float least)
 {
   CellMask mask(layer.frame(), 0);

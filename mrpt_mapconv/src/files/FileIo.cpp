@@ -1,8 +1,10 @@
 #include <fcntl.h>
 #include <mrpt_mapconv/files/FileIo.h>
+#include <mrpt_mapconv/params/Text.h>
 #include <unistd.h>
 
 #include <cerrno>
+#include <filesystem>
 #include <stdexcept>
 #include <system_error>
 #include <utility>
@@ -71,6 +73,13 @@ void writeFile(const std::string& path, std::string_view bytes)
   if (file.get() < 0) throwFileError("write", path, errno);
   writeAll(file.get(), bytes, path);
   if (file.close() != 0) throwFileError("write", path, errno);
+}
+
+std::string endingOf(const std::string& name)
+{
+  const std::filesystem::path path(name);
+  const auto ending = params::lowerCase(path.extension().string());
+  return ending == ".gz" ? params::lowerCase(path.stem().extension().string()) : ending;
 }
 
 void checkWritten(const std::string& path)

@@ -1,10 +1,9 @@
+#include <mrpt_mapconv/files/FileIo.h>
 #include <mrpt_mapconv/files/ForeignKind.h>
 #include <mrpt_mapconv/files/InputStream.h>
-#include <mrpt_mapconv/params/Text.h>
 
 #include <algorithm>
 #include <cctype>
-#include <filesystem>
 #include <stdexcept>
 
 namespace mrpt_mapconv::files
@@ -43,9 +42,6 @@ constexpr auto kNoRemedy =
     "what is read are octomaps (.bt, .ot), .rawlog, .simplemap and serialized MRPT maps"sv;
 
 constexpr Kind kKinds[] = {
-    {0, "# .PCD"sv, "a point cloud of PCL (.pcd)"sv, kCloud},
-    {0, "VERSION .7\nFIELDS"sv, "a point cloud of PCL (.pcd)"sv, kCloud},
-    {0, "VERSION 0.7\nFIELDS"sv, "a point cloud of PCL (.pcd)"sv, kCloud},
     {0, "ply\n"sv, "a point cloud or mesh (.ply)"sv, kCloud},
     {0, "ply\r"sv, "a point cloud or mesh (.ply)"sv, kCloud},
     {0, "LASF"sv, "a point cloud of a laser scanner (.las, .laz)"sv, kCloud},
@@ -61,18 +57,18 @@ constexpr Kind kKinds[] = {
     {0, "\xA1\xB2\x3C\x4D"sv, "a capture of network packets (.pcap)"sv, kCapture},
     {0, "\x0A\x0D\x0D\x0A"sv, "a capture of network packets (.pcapng)"sv, kCapture},
     {0, "#binvox"sv, "a voxel grid (.binvox)"sv, "binvox2bt (octomap-tools) makes a .bt of it"sv},
-    {0, "solid "sv, "a mesh (.stl)"sv, kMesh},
     {0, "glTF"sv, "a mesh (.glb)"sv, kMesh},
     {0, " BDV"sv, "a voxel grid of OpenVDB (.vdb)"sv, kNoRemedy},
     {0, "\x89PNG\r\n\x1A\n"sv, "a picture (.png)"sv, kPicture},
     {0, "\xFF\xD8\xFF"sv, "a picture (.jpg)"sv, kPicture},
-    {0, "BM"sv, "a picture (.bmp)"sv, kPicture},
-    {0, "GIF8"sv, "a picture (.gif)"sv, kPicture},
+    {0, "GIF87a"sv, "a picture (.gif)"sv, kPicture},
+    {0, "GIF89a"sv, "a picture (.gif)"sv, kPicture},
     {0, "II*\0"sv, "a GeoTIFF or other picture (.tif)"sv, kPicture},
     {0, "II+\0"sv, "a GeoTIFF or other picture (.tif)"sv, kPicture},
     {0, "MM\0*"sv, "a GeoTIFF or other picture (.tif)"sv, kPicture},
     {0, "PK\x03\x04"sv, "a zip archive"sv, kPacked},
-    {0, "BZh"sv, "packed by bzip2"sv, kPacked},
+    {0, "\x1F\x8B\x08"sv, "gzipped twice"sv, "unpack it once (gzip -d)"sv},
+    {4, "1AY&SY"sv, "packed by bzip2"sv, kPacked},
     {0, "\xFD\x37zXZ\0"sv, "packed by xz"sv, kPacked},
     {0, "\x28\xB5\x2F\xFD"sv, "packed by zstd"sv, kPacked},
     {0, "\x04\x22\x4D\x18"sv, "packed by lz4"sv, kPacked},
@@ -86,8 +82,31 @@ constexpr Kind kKinds[] = {
      "ELF"sv,
      "a program"sv, kNoRemedy},
     {0, "<!DOCTYPE"sv, "a web page"sv, "download the file itself"sv},
+    {0, "<!doctype"sv, "a web page"sv, "download the file itself"sv},
     {0, "<html"sv, "a web page"sv, "download the file itself"sv},
+    {0, "<HTML"sv, "a web page"sv, "download the file itself"sv},
     {0, "version https://git-lfs"sv, "a placeholder of Git LFS"sv, "git lfs pull gets the file"sv},
+};
+
+/** The same of a file that does not begin as it should, by the ending of its name. */
+struct Name
+{
+  std::string_view ending, what, remedy;
+};
+
+constexpr Name kNames[] = {
+    {".pcd"sv, "a point cloud of PCL (.pcd)"sv, kCloud},
+    {".ply"sv, "a point cloud or mesh (.ply)"sv, kCloud},
+    {".las"sv, "a point cloud of a laser scanner (.las)"sv, kCloud},
+    {".laz"sv, "a point cloud of a laser scanner (.laz)"sv, kCloud},
+    {".e57"sv, "a point cloud (.e57)"sv, kCloud},
+    {".bag"sv, "a bag of ROS 1 (.bag)"sv, kRos1},
+    {".db3"sv, "a bag of ROS 2 (.db3)"sv, kRos2},
+    {".mcap"sv, "a bag of ROS 2 (.mcap)"sv, kRos2},
+    {".mm"sv, "a map of MOLA (.mm)"sv, kMola},
+    {".pcap"sv, "a capture of network packets (.pcap)"sv, kCapture},
+    {".stl"sv, "a mesh (.stl)"sv, kMesh},
+    {".obj"sv, "a mesh (.obj)"sv, kMesh},
 };
 
 const Kind* kindByMagic(std::string_view begin)
@@ -116,12 +135,23 @@ bool hasLine(std::string_view text, std::string_view begin)
          text.find("\n" + std::string(begin)) != std::string_view::npos;
 }
 
-/** The last ending of a name; one of gzip is passed over. */
-std::string endingOf(const std::string& name)
+/** PCL's header, which may have other comments than PCL writes, and any line ends. */
+bool isPcd(std::string_view begin)
 {
-  const std::filesystem::path path(name);
-  const auto ending = params::lowerCase(path.extension().string());
-  return ending == ".gz" ? params::lowerCase(path.stem().extension().string()) : ending;
+  const bool hasFields = hasLine(begin, "FIELDS ") || hasLine(begin, "COLUMNS ");
+  return begin.substr(0, 6) == "# .PCD" || (hasLine(begin, "VERSION ") && hasFields);
+}
+
+/** Windows' bitmaps: "BM", the file's size, and four bytes that are zero. */
+bool isBitmap(std::string_view begin)
+{
+  return begin.substr(0, 2) == "BM" && begin.size() > 10 && begin.substr(6, 4) == "\0\0\0\0"sv;
+}
+
+/** Those that are text; the others have nothing in common. */
+bool isStl(std::string_view begin)
+{
+  return begin.substr(0, 6) == "solid " && begin.find("facet") != std::string_view::npos;
 }
 
 /** KITTI's scans are four floats a point and nothing else. */
@@ -143,6 +173,20 @@ std::string sentence(std::string_view what, std::string_view remedy)
 {
   return std::string("is ").append(what).append("; ").append(remedy);
 }
+
+/** For files whose first bytes say nothing. */
+std::string kindByName(const FileTraits& file)
+{
+  const std::string ending = endingOf(file.name);
+  if (ending == ".yaml" || ending == ".yml") return sentence("a YAML file", kFlat);
+  for (const Name& name : kNames)
+    if (name.ending == ending)
+      return sentence("by its name " + std::string(name.what) + ", but does not begin as one",
+                      name.remedy);
+  if (isKittiScan(file)) return sentence("by its name and size a scan of KITTI (.bin)", kCloud);
+  if (isTextOfPoints(file)) return sentence("a text, of points perhaps", kCloud);
+  return "";
+}
 }  // namespace
 
 bool beginsAsObject(std::string_view bytes)
@@ -159,17 +203,18 @@ bool beginsAsObject(std::string_view bytes)
 
 std::string foreignKindOf(const FileTraits& file)
 {
-  if (const Kind* kind = kindByMagic(file.begin)) return sentence(kind->what, kind->remedy);
-  if (isNetpbm(file.begin)) return sentence("a picture, as that of a ROS map is (.pgm)", kFlat);
-  const std::string ending = endingOf(file.name);
-  if (hasLine(file.begin, "image:") && hasLine(file.begin, "resolution:"))
+  constexpr auto kMark = "\xEF\xBB\xBF"sv;  // that editors put before a text
+  const auto begin =
+      file.begin.substr(file.begin.substr(0, kMark.size()) == kMark ? kMark.size() : 0);
+  if (const Kind* kind = kindByMagic(begin)) return sentence(kind->what, kind->remedy);
+  if (beginsAsObject(begin)) return "";
+  if (isPcd(begin)) return sentence("a point cloud of PCL (.pcd)", kCloud);
+  if (isStl(begin)) return sentence("a mesh (.stl)", kMesh);
+  if (isBitmap(begin)) return sentence("a picture (.bmp)", kPicture);
+  if (isNetpbm(begin)) return sentence("a picture, as that of a ROS map is (.pgm)", kFlat);
+  if (hasLine(begin, "image:") && hasLine(begin, "resolution:"))
     return sentence("the .yaml of a ROS map", kFlat);
-  if (beginsAsObject(file.begin)) return "";
-  if (ending == ".yaml" || ending == ".yml") return sentence("a YAML file", kFlat);
-  if (ending == ".mm") return sentence("by its name a map of MOLA (.mm)", kMola);
-  if (isKittiScan(file)) return sentence("by its name and size a scan of KITTI (.bin)", kCloud);
-  if (isTextOfPoints(file)) return sentence("a text, of points perhaps", kCloud);
-  return "";
+  return kindByName(file);
 }
 
 void refuseForeignKinds(InputStream& stream)

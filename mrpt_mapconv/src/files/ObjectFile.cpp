@@ -4,12 +4,25 @@
 #include <mrpt_mapconv/params/Require.h>
 
 #include <new>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
 namespace mrpt_mapconv::files
 {
 using mrpt::serialization::CSerializable;
+
+namespace
+{
+/** The class of which MRPT says that it is not registered; nothing if it says something else. */
+std::optional<std::string> unknownClass(const std::string& error)
+{
+  const auto end = error.find("' which is not registered");
+  const auto begin = error.find('\'') + 1;
+  if (end == std::string::npos || begin > end) return std::nullopt;
+  return error.substr(begin, end - begin);
+}
+}  // namespace
 
 class ObjectFile::Archive : public mrpt::serialization::CArchive
 {
@@ -85,8 +98,12 @@ CSerializable::Ptr ObjectFile::read()
     else
       problem = m_count == 0 ? "is no file of MRPT objects, or of a newer MRPT"
                              : "is damaged: " + which + " cannot be read";
-    if (const auto text = params::oneLine(e); text.find("not registered") != std::string::npos)
-      problem = text;
+    if (const auto name = unknownClass(params::oneLine(e)))
+      problem = which + (name->empty() ? " has no class, so the file is damaged"
+                                       : " is of the class '" + *name +
+                                             "', which neither MRPT nor this library has: a plugin "
+                                             "that has it goes into LD_PRELOAD; without one the "
+                                             "file is of a newer MRPT, or damaged");
   }
   throw std::runtime_error(m_path + ": " + problem);
 }

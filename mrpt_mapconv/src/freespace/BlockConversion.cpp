@@ -76,15 +76,6 @@ bool any(const voxel::ColumnMask& mask)
 
 std::uint32_t bitIf(bool set, std::int32_t x) { return static_cast<std::uint32_t>(set) << x; }
 
-constexpr double kDropReach = 1.0;  // how far drop edges look [m]
-
-/** How many steps of a length lie within another one. */
-std::int32_t stepsWithin(double metres, double step)
-{
-  constexpr double kSlack = 1e-6;
-  return static_cast<std::int32_t>(std::min(metres / step + kSlack, 1e6));
-}
-
 bool sameBits(float a, float b) { return std::memcmp(&a, &b, sizeof(float)) == 0; }
 }  // namespace
 
@@ -111,7 +102,6 @@ void HeightPass::run(BlockJob& job)
   m_source.read(m_block);
   m_spans.start(m_block);
   const voxel::ColumnMask free = writeHeights(job);
-  writeEvidence(job);
   collectWalls(job, free);
 }
 
@@ -122,35 +112,18 @@ float HeightPass::evidenceOf(std::int32_t column, const FreeSpan& span) const
   return isOccupied(m_block, column, span.floor - 1) ? evidence::kSeen : evidence::kOpen;
 }
 
-/** Writes evidence and, where the ground itself was seen, support. Of columns whose floor and
- * evidence are as before, both stay, inferred or not. */
-void HeightPass::writeEvidence(BlockJob& job)
+/** Writes evidence and, where the ground itself was seen, support. Where floor and evidence are as
+ * before, both stay, inferred or not. \return whether they are not */
+bool HeightPass::writeGround(bool newFloor, float floor, float now, float& known, float& support)
 {
-  const BlockPlace place(job.key, m_layers.frame());
-  forEachRow(job.changed,
-             [&](std::int32_t y, std::uint32_t row)
-             {
-               const float* floor = m_layers.floor.row(place.y + y) + place.x;
-               float* support = m_layers.support.row(place.y + y) + place.x;
-               float* known = m_layers.evidence.row(place.y + y) + place.x;
-               std::uint32_t& newFloor = job.newFloor[static_cast<std::size_t>(y)];
-               forEachInRow(
-                   row,
-                   [&](std::int32_t x)
-                   {
-                     const float now = m_evidence[static_cast<std::size_t>(y * kBlockSide + x)];
-                     const float before = evidence::isOpen(known[x]) ? evidence::kOpen : known[x];
-                     const bool same = !m_blank && now == before && !(newFloor >> x & 1U);
-                     if (same) return;
-                     newFloor |= bitIf(true, x);
-                     known[x] = now;
-                     support[x] =
-                         now == evidence::kSeen || m_supportIsFloor ? floor[x] : Layers::kNone;
-                   });
-             });
+  if (!m_blank && !newFloor && now == (evidence::isOpen(known) ? evidence::kOpen : known))
+    return false;
+  known = now;
+  support = now == evidence::kSeen || m_supportIsFloor ? floor : Layers::kNone;
+  return true;
 }
 
-/** Writes floor and ceiling of the changed columns and notes which differ from before. Returns
+/** Writes heights and evidence of the changed columns and notes which differ from before. Returns
  * those with a kept free range. */
 voxel::ColumnMask HeightPass::writeHeights(BlockJob& job)
 {
@@ -167,27 +140,31 @@ voxel::ColumnMask HeightPass::writeHeights(BlockJob& job)
   forEachRow(job.changed,
              [&](std::int32_t y, std::uint32_t row)
              {
-               float* floor = m_layers.floor.row(place.y + y);
-               float* ceiling = m_layers.ceiling.row(place.y + y);
-               std::uint32_t freeRow = 0, newFloor = 0, newCeiling = 0;
-               forEachInRow(row,
-                            [&](std::int32_t x)
-                            {
-                              const FreeSpan span = m_spans.span(y * kBlockSide + x);
-                              const bool valid = span.valid();
-                              m_evidence[static_cast<std::size_t>(y * kBlockSide + x)] =
-                                  evidenceOf(y * kBlockSide + x, span);
-                              const auto height = [&](std::int32_t key)
-                              { return valid ? static_cast<float>(key * res) : Layers::kNone; };
-                              freeRow |= bitIf(valid, x);
-                              newFloor |= bitIf(replace(floor[place.x + x], height(span.floor)), x);
-                              newCeiling |=
-                                  bitIf(replace(ceiling[place.x + x], height(span.ceiling)), x);
-                            });
+               float* floor = m_layers.floor.row(place.y + y) + place.x;
+               float* ceiling = m_layers.ceiling.row(place.y + y) + place.x;
+               float* support = m_layers.support.row(place.y + y) + place.x;
+               float* known = m_layers.evidence.row(place.y + y) + place.x;
+               std::uint32_t freeRow = 0, newFloor = 0, newSpan = 0;
+               forEachInRow(
+                   row,
+                   [&](std::int32_t x)
+                   {
+                     const std::int32_t column = y * kBlockSide + x;
+                     const FreeSpan span = m_spans.span(column);
+                     const bool valid = span.valid();
+                     const auto height = [&](std::int32_t key)
+                     { return valid ? static_cast<float>(key * res) : Layers::kNone; };
+                     freeRow |= bitIf(valid, x);
+                     const bool differs = replace(floor[x], height(span.floor));
+                     newSpan |= bitIf(differs | replace(ceiling[x], height(span.ceiling)), x);
+                     newFloor |= bitIf(writeGround(differs, floor[x], evidenceOf(column, span),
+                                                   known[x], support[x]),
+                                       x);
+                   });
                const auto at = static_cast<std::size_t>(y);
                free[at] = freeRow;
                job.newFloor[at] = newFloor;
-               job.newSpan[at] = newFloor | newCeiling;
+               job.newSpan[at] = newSpan;
              });
   return free;
 }
@@ -336,21 +313,17 @@ GroundPass::GroundPass(const ConversionParams& params, Layers& layers)
     : m_params(params),
       m_layers(layers),
       m_checkSteps(params.maxStep > 0),
-      m_checkDrops(m_checkSteps && params.floorFrom == FloorFrom::Seen),
       m_maxStep(kSupportUnits * params.maxStepVoxels(layers.frame().resolution)),
-      m_maxDrop(m_maxStep + kSupportUnits),
-      m_straightSteps(stepsWithin(kDropReach, layers.frame().resolution)),
-      m_diagonalSteps(stepsWithin(kDropReach, std::sqrt(2.0) * layers.frame().resolution)),
+      m_drops(params, layers),
       m_supports(params.slopeWindow, kSupportUnits),
       m_floors(1, kSupportUnits),
       m_slopeFilter(params.slopeWindow)
 {
 }
 
-std::int32_t GroundPass::reach(const ConversionParams& params, double resolution)
+std::int32_t GroundPass::reach() const
 {
-  const bool drops = params.maxStep > 0 && params.floorFrom == FloorFrom::Seen;
-  return std::max({1, params.slopeWindow, drops ? stepsWithin(kDropReach, resolution) : 0});
+  return std::max({1, m_params.slopeWindow, m_drops.isOn() ? m_drops.reach() : 0});
 }
 
 void GroundPass::run(voxel::BlockKey block, const voxel::ColumnMask& columns)
@@ -358,9 +331,12 @@ void GroundPass::run(voxel::BlockKey block, const voxel::ColumnMask& columns)
   if (!any(columns)) return;
   const BlockPlace place(block, m_layers.frame());
   m_supports.load(m_layers.support, block);
-  if (m_checkDrops) m_floors.load(m_layers.floor, block);
-  m_slopeFilter.compute(m_supports, boundsOf(columns), m_slope);
-  forEachRow(columns,
+  const voxel::ColumnMask supported = columns & withSupport();
+  writeUnsupported(place, columns & ~supported);
+  if (!any(supported)) return;
+  if (m_drops.isOn()) m_floors.load(m_layers.floor, block);
+  m_slopeFilter.compute(m_supports, boundsOf(supported), m_slope);
+  forEachRow(supported,
              [&](std::int32_t y, std::uint32_t row)
              {
                const double* slopes = m_slope.data() + y * kBlockSide;
@@ -369,25 +345,49 @@ void GroundPass::run(voxel::BlockKey block, const voxel::ColumnMask& columns)
                forEachInRow(row,
                             [&](std::int32_t x)
                             {
-                              slope[x] = static_cast<float>(slopes[x] / kSupportUnits);
-                              ground[x] = groundAt(x, y, place);
+                              const double steepness = slopes[x] / kSupportUnits;
+                              slope[x] = static_cast<float>(steepness);
+                              const bool blocked = steepness > m_params.maxSlope ||
+                                                   (m_checkSteps && hasStepOrDrop(x, y, place));
+                              ground[x] = blocked ? 1.0f : grid::kFree;
                             });
              });
 }
 
-float GroundPass::groundAt(std::int32_t x, std::int32_t y, const BlockPlace& place) const
+voxel::ColumnMask GroundPass::withSupport() const
 {
-  const float aerial = m_layers.aerial.at(place.x + x, place.y + y);
-  if (!grid::isFree(aerial)) return aerial;
-  if (*m_supports.at(x, y) == FloorTile::kNoFloor) return grid::kUnknown;
-  const double slope = m_slope[static_cast<std::size_t>(y * kBlockSide + x)] / kSupportUnits;
-  return slope > m_params.maxSlope || (m_checkSteps && hasStepOrDrop(x, y, place)) ? 1.0f
-                                                                                   : grid::kFree;
+  voxel::ColumnMask mask{};
+  for (std::int32_t y = 0; y < kBlockSide; ++y)
+  {
+    const std::int32_t* support = m_supports.at(0, y);
+    std::uint32_t row = 0;
+    for (std::int32_t x = 0; x < kBlockSide; ++x)
+      row |= bitIf(support[x] != FloorTile::kNoFloor, x);
+    mask[static_cast<std::size_t>(y)] = row;
+  }
+  return mask;
+}
+
+/** Where no ground is known nobody can stand, however free the air is. */
+void GroundPass::writeUnsupported(const BlockPlace& place, const voxel::ColumnMask& columns)
+{
+  forEachRow(columns,
+             [&](std::int32_t y, std::uint32_t row)
+             {
+               const float* aerial = m_layers.aerial.row(place.y + y) + place.x;
+               float* slope = m_layers.slope.row(place.y + y) + place.x;
+               float* ground = m_layers.ground.row(place.y + y) + place.x;
+               forEachInRow(row,
+                            [&](std::int32_t x)
+                            {
+                              slope[x] = Layers::kNone;
+                              ground[x] = grid::isFree(aerial[x]) ? grid::kUnknown : aerial[x];
+                            });
+             });
 }
 
 /** Whether the support differs from one of the 8 neighbours' by more than a step, or is that of a
- * drop edge: over open cells without support one comes, within 1 m, to a floor that lies lower than
- * a step and a voxel. */
+ * drop edge. */
 bool GroundPass::hasStepOrDrop(std::int32_t x, std::int32_t y, const BlockPlace& place) const
 {
   const std::int32_t support = *m_supports.at(x, y);
@@ -395,35 +395,15 @@ bool GroundPass::hasStepOrDrop(std::int32_t x, std::int32_t y, const BlockPlace&
     for (std::int32_t dx = -1; dx <= 1; ++dx)
     {
       const std::int32_t neighbour = *m_supports.at(x + dx, y + dy);
-      if (neighbour != FloorTile::kNoFloor && std::abs(neighbour - support) > m_maxStep)
-        return true;
-      if (!m_checkDrops || dropSteps(dx, dy) == 0) continue;
+      const bool hasSupport = neighbour != FloorTile::kNoFloor;
+      if (hasSupport && std::abs(neighbour - support) > m_maxStep) return true;
+      if (!m_drops.isOn() || (dx == 0 && dy == 0)) continue;
+      // Most walks end at their first cell, of which the tiles tell enough.
       const std::int32_t floor = *m_floors.at(x + dx, y + dy);
-      if (floor == FloorTile::kNoFloor) continue;
-      if (support - floor > m_maxDrop && (dx != 0 || dy != 0)) return true;
-      if (neighbour == FloorTile::kNoFloor &&
-          leadsToDrop(place.x + x, place.y + y, dx, dy, support))
-        return true;
+      if (floor == FloorTile::kNoFloor || (hasSupport && support - floor <= m_drops.most()))
+        continue;
+      if (m_drops.leadsDown(place.x + x, place.y + y, dx, dy, support)) return true;
     }
-  return false;
-}
-
-/** The walk of a drop edge from cell (ix, iy) on, whose first step is to an open cell without
- * support. */
-bool GroundPass::leadsToDrop(std::int32_t ix, std::int32_t iy, std::int32_t dx, std::int32_t dy,
-                             std::int32_t support) const
-{
-  const grid::GridFrame& frame = m_layers.frame();
-  const double unitsPerMetre = kSupportUnits * (1.0 / frame.resolution);
-  for (std::int32_t k = 1; k <= dropSteps(dx, dy); ++k)
-  {
-    const std::int32_t x = ix + k * dx, y = iy + k * dy;
-    if (x < 0 || y < 0 || x >= frame.width || y >= frame.height) return false;
-    const float floor = m_layers.floor.at(x, y);
-    if (std::isnan(floor)) return false;
-    if (support - heightKey(floor, unitsPerMetre) > m_maxDrop) return true;
-    if (!std::isnan(m_layers.support.at(x, y))) return false;
-  }
   return false;
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "ColumnRuns.h"
+#include "DropWalk.h"
 #include "FloorTile.h"
 #include "SlopeFilter.h"
 
@@ -60,7 +61,7 @@ class HeightPass
 
  private:
   voxel::ColumnMask writeHeights(BlockJob& job);
-  void writeEvidence(BlockJob& job);
+  bool writeGround(bool newFloor, float floor, float now, float& known, float& support);
   float evidenceOf(std::int32_t column, const FreeSpan& span) const;
   void collectWalls(BlockJob& job, const voxel::ColumnMask& free);
 
@@ -69,7 +70,6 @@ class HeightPass
   bool m_blank, m_supportIsFloor;
   voxel::ColumnBlock m_block;
   FreeSpanFinder m_spans;
-  std::array<float, voxel::kBlockColumns> m_evidence{};  //!< of the changed columns
 };
 
 /** Second pass, once the floors around the block are known: the aerial occupancy of the changed
@@ -107,24 +107,18 @@ class GroundPass
   void run(voxel::BlockKey block, const voxel::ColumnMask& columns);
 
   /** How far away a cell can lie that a cell's slope or ground occupancy depends on [cells]. */
-  static std::int32_t reach(const ConversionParams& params, double resolution);
+  std::int32_t reach() const;
 
  private:
-  float groundAt(std::int32_t x, std::int32_t y, const BlockPlace& place) const;
+  voxel::ColumnMask withSupport() const;
+  void writeUnsupported(const BlockPlace& place, const voxel::ColumnMask& columns);
   bool hasStepOrDrop(std::int32_t x, std::int32_t y, const BlockPlace& place) const;
-  bool leadsToDrop(std::int32_t ix, std::int32_t iy, std::int32_t dx, std::int32_t dy,
-                   std::int32_t support) const;
-  /** How many steps of a drop edge's walk lie within its reach. */
-  std::int32_t dropSteps(std::int32_t dx, std::int32_t dy) const
-  {
-    return dx != 0 && dy != 0 ? m_diagonalSteps : m_straightSteps;
-  }
 
   const ConversionParams& m_params;
   Layers& m_layers;
-  bool m_checkSteps, m_checkDrops;
-  std::int32_t m_maxStep, m_maxDrop;  // 64ths of a voxel
-  std::int32_t m_straightSteps, m_diagonalSteps;
+  bool m_checkSteps;
+  std::int32_t m_maxStep;  // 64ths of a voxel
+  DropWalk m_drops;
   FloorTile m_supports;  // in 64ths of a voxel
   FloorTile m_floors;    // likewise
   SlopeFilter m_slopeFilter;

@@ -80,10 +80,12 @@ class Strips
  * which full conversion is "all". `reach` holds every column that touches them; `blank` says that
  * the layers are all unknown, otherwise they must be what a conversion left before the change. The
  * second pass of a strip runs once the first pass of the next one has found the floors there.
+ * \param withGround whether slope and ground occupancy follow at once, while what they need is at
+ * hand; that is possible if supports are floors
  * \return the columns whose floor or evidence differs from before; none if the layers were blank */
 voxel::ColumnSet convertColumns(const voxel::VoxelSource& source, const voxel::ColumnSet& changed,
                                 const voxel::ColumnSet& reach, const ConversionParams& params,
-                                int threads, Layers& layers, bool blank)
+                                int threads, Layers& layers, bool blank, bool withGround)
 {
   Differences differences;  // of the strip at hand, the one before and the one after
   const auto findHeights = [&](Strip& strip)
@@ -102,10 +104,16 @@ voxel::ColumnSet convertColumns(const voxel::VoxelSource& source, const voxel::C
                      [&](std::size_t begin, std::size_t end)
                      {
                        AerialPass aerial(source, params, differences, layers);
-                       for (std::size_t i = begin; i < end; ++i) aerial.run(strip[i]);
+                       std::optional<GroundPass> ground;
+                       if (withGround) ground.emplace(params, layers);
+                       for (std::size_t i = begin; i < end; ++i)
+                       {
+                         aerial.run(strip[i]);
+                         if (ground) ground->run(strip[i].key, strip[i].changed);
+                       }
                      });
   };
-  Strips strips(changed, reach, 1);
+  Strips strips(changed, reach, withGround ? GroundPass(params, layers).reach() : 1);
   Strip before, strip = strips.next();
   findHeights(strip);
   while (!strip.empty())
@@ -140,8 +148,10 @@ Layers convertOn(const grid::GridFrame& frame, const voxel::VoxelSource& source,
 {
   Layers layers(frame);
   const auto all = voxel::ColumnSet::of(frame);
-  convertColumns(source, all, all, params, threads, layers, true);
-  if (params.floorFrom == FloorFrom::Seen) SupportPass(params, layers).findAll(threads);
+  const bool floorsSuffice = params.floorFrom == FloorFrom::LowestFree;
+  convertColumns(source, all, all, params, threads, layers, true, floorsSuffice);
+  if (floorsSuffice) return layers;
+  SupportPass(params, layers).findAll(threads);
   findGround(all, params, threads, layers);
   return layers;
 }
@@ -248,10 +258,11 @@ voxel::ColumnSet IncrementalLayers::follow(const voxel::VoxelSource& source,
 {
   const grid::GridFrame& frame = m_layers.frame();
   auto columns = changed.dilated(1).clipped(frame);
-  auto newGround = convertColumns(source, changed, columns, m_params, m_threads, m_layers, false);
+  auto newGround =
+      convertColumns(source, changed, columns, m_params, m_threads, m_layers, false, false);
   if (m_params.floorFrom == FloorFrom::Seen && !newGround.empty())
     newGround = SupportPass(m_params, m_layers).findAround(newGround);
-  columns.insert(newGround.dilated(GroundPass::reach(m_params, frame.resolution)).clipped(frame));
+  columns.insert(newGround.dilated(GroundPass(m_params, m_layers).reach()).clipped(frame));
   findGround(columns, m_params, m_threads, m_layers);
   m_unfinished = false;
   return columns;

@@ -14,7 +14,7 @@ const std::vector<Layers::Entry>& Layers::list()
       {&Layers::slope, "slope", "Slope of the floor", "m/m", Kind::Slope},
       {&Layers::aerial, "aerial", "Occupancy for an aerial robot", "", Kind::Occupancy},
       {&Layers::ground, "ground", "Occupancy for a ground robot", "", Kind::Occupancy,
-       &Layers::aerial},
+       &Layers::aerial, &Layers::evidence},
       {&Layers::support, "support", "Support: height of the ground", "m", Kind::Height},
       {&Layers::evidence, "evidence", "Evidence of the ground", "", Kind::Evidence}};
   return entries;
@@ -38,7 +38,16 @@ std::vector<grid::StyledLayer> Layers::styled() const
   std::vector<grid::StyledLayer> out;
   for (const Entry& entry : list())
     out.push_back({entry.name, &(this->*entry.member), entry.title, entry.unit, entry.kind,
-                   entry.freeFor ? &(this->*entry.freeFor) : nullptr});
+                   entry.freeFor ? &(this->*entry.freeFor) : nullptr,
+                   entry.evidence ? &(this->*entry.evidence) : nullptr});
+  return out;
+}
+
+std::vector<grid::StyledLayer> Layers::styled(const grid::Layer<float>& edges) const
+{
+  auto out = styled();
+  for (grid::StyledLayer& layer : out)
+    if (layer.freeFor) layer.drops = &edges;
   return out;
 }
 

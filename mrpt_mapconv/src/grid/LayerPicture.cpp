@@ -57,19 +57,30 @@ Content slopeContent(const Layer<float>& layer, const std::string& unit, const Z
   return content;
 }
 
-Content occupancyContent(const Layer<float>& layer, const Layer<float>* aerial, const Zoom& zoom,
-                         const Metrics& metrics)
+Content occupancyContent(const StyledLayer& styled, const Zoom& zoom, const Metrics& metrics)
 {
+  const auto& cells = styled.layer->cells();
   Content content;
-  content.raster = rasterOfOccupancy(layer, aerial, zoom);
-  content.noData = std::none_of(layer.cells().begin(), layer.cells().end(),
+  content.raster = rasterOfOccupancy(styled, zoom);
+  content.noData = std::none_of(cells.begin(), cells.end(),
                                 [](float value) { return isFree(value) || isOccupied(value); });
-  content.legend = {swatch(metrics, kFreeColor, "free"),
-                    swatch(metrics, kOccupiedColor, "occupied"),
-                    swatch(metrics, kUnknownColor, "unknown")};
-  if (aerial)
-    content.legend.push_back(
-        swatch(metrics, kSteepColor, "too steep or too high a step (free for a flying robot)"));
+  const auto add = [&](const TColor& color, const char* meaning)
+  { content.legend.push_back(swatch(metrics, color, meaning)); };
+  add(kFreeColor, "free");
+  const auto has = [](const Layer<float>* layer, float value)
+  {
+    return layer &&
+           std::find(layer->cells().begin(), layer->cells().end(), value) != layer->cells().end();
+  };
+  if (has(styled.evidence, kInferredGround))
+    add(kInferredColor, "free, ground inferred from what was seen around");
+  add(kOccupiedColor, "occupied");
+  add(kUnknownColor, "unknown");
+  if (!styled.freeFor) return content;
+  add(kSteepColor, "too steep or too high a step (free for a flying robot)");
+  if (has(styled.drops, 1)) add(kDropColor, "edge of a drop");
+  if (content.raster.has(kFrontierColor))
+    add(kFrontierColor, "frontier: free for a flying robot, but its ground was not seen");
   return content;
 }
 
@@ -91,7 +102,7 @@ Content contentOf(const StyledLayer& styled, const Zoom& zoom, const Metrics& me
     case LayerKind::Slope:
       return slopeContent(*styled.layer, styled.unit, zoom, metrics);
     case LayerKind::Occupancy:
-      return occupancyContent(*styled.layer, styled.freeFor, zoom, metrics);
+      return occupancyContent(styled, zoom, metrics);
     case LayerKind::Evidence:
       return evidenceContent(*styled.layer, zoom, metrics);
     case LayerKind::Height:
@@ -159,8 +170,11 @@ void checkLayers(const StyledLayer& styled)
 {
   if (!styled.layer || styled.layer->frame().empty())
     throw std::invalid_argument("picture: the layer has no cells");
-  if (styled.freeFor && styled.freeFor->frame() != styled.layer->frame())
-    throw std::invalid_argument("picture: the aerial layer is on another frame than the layer");
+  for (const auto* beside : {styled.freeFor, styled.evidence, styled.drops})
+    if (beside && beside->frame() != styled.layer->frame())
+      throw std::invalid_argument(
+          "picture: the aerial layer, or one that goes with it, is on another frame than the "
+          "layer");
 }
 
 /** Part of a layer, and of the one that it is free for. */
@@ -174,6 +188,8 @@ class Part
     if (!whole.freeFor) return;
     m_freeFor = whole.freeFor->onFrame(frame, kUnknown);
     m_styled.freeFor = &m_freeFor;
+    if (whole.evidence) m_styled.evidence = &(m_evidence = whole.evidence->onFrame(frame, 0));
+    if (whole.drops) m_styled.drops = &(m_drops = whole.drops->onFrame(frame, 0));
   }
   Part(const Part&) = delete;
   Part& operator=(const Part&) = delete;
@@ -182,7 +198,7 @@ class Part
 
  private:
   StyledLayer m_styled;
-  Layer<float> m_layer, m_freeFor;
+  Layer<float> m_layer, m_freeFor, m_evidence, m_drops;
 };
 
 /** Draws all of a layer, which may be part of a map. */

@@ -78,28 +78,46 @@ Raster rasterOfSlopes(const Layer<float>& layer, const ColorRange& range, const 
                    });
 }
 
-Raster rasterOfOccupancy(const Layer<float>& layer, const Layer<float>* aerial, const Zoom& zoom)
+namespace
 {
-  enum Look
+/** How a cell of an occupancy layer looks; of the cells that share a pixel the last one shows. */
+enum Look
+{
+  Unknown,
+  Frontier,
+  Inferred,
+  Free,
+  Steep,
+  Occupied,
+  Drop
+};
+
+Look lookOf(const StyledLayer& styled, int x, int y)
+{
+  const float value = styled.layer->at(x, y);
+  if (!styled.freeFor) return isOccupied(value) ? Occupied : isFree(value) ? Free : Unknown;
+  const bool isFreeForOthers = isFree(styled.freeFor->at(x, y));
+  if (isOccupied(value))
   {
-    Unknown,
-    Free,
-    Steep,
-    Occupied
-  };
-  const auto lookOf = [&](int x, int y)
-  {
-    const float value = layer.at(x, y);
-    if (isOccupied(value)) return aerial && isFree(aerial->at(x, y)) ? Steep : Occupied;
-    return isFree(value) ? Free : Unknown;
-  };
-  const TColor colors[] = {kUnknownColor, kFreeColor, kSteepColor, kOccupiedColor};
-  return rasterize(layer.frame(), zoom,
+    if (styled.drops && styled.drops->at(x, y) != 0) return Drop;
+    return isFreeForOthers ? Steep : Occupied;
+  }
+  if (isFree(value))
+    return styled.evidence && styled.evidence->at(x, y) == kInferredGround ? Inferred : Free;
+  return styled.evidence && isFreeForOthers ? Frontier : Unknown;
+}
+}  // namespace
+
+Raster rasterOfOccupancy(const StyledLayer& styled, const Zoom& zoom)
+{
+  const TColor colors[] = {kUnknownColor, kFrontierColor, kInferredColor, kFreeColor,
+                           kSteepColor,   kOccupiedColor, kDropColor};
+  return rasterize(styled.layer->frame(), zoom,
                    [&](int x0, int x1, int y0, int y1)
                    {
                      Look look = Unknown;
                      for (int y = y0; y < y1; ++y)
-                       for (int x = x0; x < x1; ++x) look = std::max(look, lookOf(x, y));
+                       for (int x = x0; x < x1; ++x) look = std::max(look, lookOf(styled, x, y));
                      return colors[look];
                    });
 }

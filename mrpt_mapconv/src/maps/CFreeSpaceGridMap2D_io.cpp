@@ -1,4 +1,5 @@
 #include <mrpt_mapconv/files/FileIo.h>
+#include <mrpt_mapconv/freespace/DropEdges.h>
 #include <mrpt_mapconv/freespace/LayerFiles.h>
 #include <mrpt_mapconv/grid/LayerExport.h>
 #include <mrpt_mapconv/maps/CFreeSpaceGridMap2D.h>
@@ -94,7 +95,8 @@ void CFreeSpaceGridMap2D::saveLayers(files::OutputDir& out, const std::string& n
   grid::ExportFormats formats{name + "_layers.tif", freespace::metadataOf(m_conversion.params)};
   formats.prefix = name + "_";
   formats.pictures = true;
-  grid::exportLayers(out, layers.styled(), formats);
+  const auto edges = freespace::dropEdges(layers, m_conversion.params);
+  grid::exportLayers(out, layers.styled(edges), formats);
   files::writeFile(out.path(name + ".ot"), voxel::fullOctree(*m_octree));
 }
 

@@ -142,8 +142,7 @@ void chooseFolder(const std::vector<fs::path>& folders, const CObservation* exam
   if (first) mrpt::img::CImage::setImagesPathBase(first->string());
 }
 
-/** The scan and its file that is missing: "scan 3 (CObservation3DRangeScan 'KINECT' at 12.5 s):
- * there is no r0.bin in …". */
+/** Which scan lacks which file, and where it was looked for. */
 std::string complaintAbout(const CObservation& obs, std::size_t number,
                            const std::vector<fs::path>& folders)
 {

@@ -1,3 +1,4 @@
+#include <mrpt_mapconv/params/Printable.h>
 #include <mrpt_mapconv/params/Require.h>
 
 namespace mrpt_mapconv::params
@@ -19,9 +20,10 @@ std::string oneLine(const std::exception& error)
 {
   const std::string text = error.what();
   // An exception that passed through MRPT has an empty message and its text in the location.
+  const bool isOfMrpt = text.find("MRPT exception ====") != std::string::npos;
   for (const char* label : {"Message:", "Location:"})
-    if (auto line = lineBehind(text, label); !line.empty()) return line;
-  return text.substr(0, text.find('\n'));
+    if (auto line = lineBehind(text, label); isOfMrpt && !line.empty()) return line;
+  return printable(text);  // names of files may have several lines
 }
 
 }  // namespace mrpt_mapconv::params

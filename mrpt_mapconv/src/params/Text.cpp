@@ -27,4 +27,9 @@ std::string lowerCase(std::string text)
   return text;
 }
 
+std::string counted(std::size_t count, std::string_view noun)
+{
+  return std::to_string(count).append(" ").append(noun).append(count == 1 ? "" : "s");
+}
+
 }  // namespace mrpt_mapconv::params

@@ -124,8 +124,13 @@ void PieceCheck::addSteps(const LiftedPath& path, Kind kind, std::vector<PiecePr
                  const double distance = std::hypot(to.x - from.x, to.y - from.y);
                  const double before = heightAt(from), behind = heightAt(to);
                  if (m_limit.forbids(behind - before, distance))
-                   found.push_back(
-                       {kind, index, {to.x, to.y}, before, behind, distance, m_limit.at(distance)});
+                   found.push_back({kind,
+                                    index,
+                                    {to.x, to.y},
+                                    before,
+                                    behind,
+                                    m_limit.counted(distance),
+                                    m_limit.at(distance)});
                });
 }
 

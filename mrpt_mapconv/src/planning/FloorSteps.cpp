@@ -41,9 +41,8 @@ void blockFloorSteps(const grid::Layer<float>& floor, const path::StepLimit& lim
   {
     if (!holds(search.passable(), b)) return;
     const double change = static_cast<double>(floor.at(b.x, b.y) - floor.at(a.x, a.y));
-    if (!limit.forbids(change, 0)) return;
-    const bool beside = a.x == b.x || a.y == b.y;
-    if (beside && limit.forbids(change, frame.resolution)) return search.blockSide(a, b);
+    if (!limit.forbids(change, frame.resolution)) return;
+    if (a.x == b.x || a.y == b.y) return search.blockSide(a, b);
     search.testSegmentsIn(a);
     search.testSegmentsIn(b);
   };

@@ -8,9 +8,9 @@ namespace mrpt_mapconv::planning
 {
 /** Tells a ground robot's search where the floor is too uneven.
  *
- * Between cells whose floors differ by more than StepLimit at a cell's distance nothing goes. Where
- * neighbours, also at a corner, differ by more than it allows at any distance, a straight segment
- * is looked at point by point, as liftPath() sets them. So on no way that the search finds the
+ * Between cells beside each other whose floors differ by more than StepLimit nothing goes. Where
+ * two that meet at a corner do, a straight segment is looked at point by point, as liftPath() sets
+ * them. So on no way that the search finds the
  * floors below neighbouring points differ by more than StepLimit allows.
  *
  * \param floor on the search's frame [m]; it must outlive the search */

@@ -46,40 +46,22 @@ RobotPath RobotPlanner::plan()
   for (int attempt = 0; attempt < m_query.mostAttempts; ++attempt)
   {
     const GridPath way = m_search.plan();
-    if (!way.found())
-      return otherwise(m_firstMisfit.empty() ? whyNoWay(way.problem) : blockedWay());
+    if (!way.found()) return without(m_firstMisfit.empty() ? whyNoWay(way.problem) : blockedWay());
     const LiftedPath path = lift(way.points);
     const auto faults = path.feasible() ? m_faults.of(path) : std::vector<WayFault>{};
     if (path.feasible() && faults.empty()) return {path, {}};
     if (const std::string problem = problemOfEnds(path); !problem.empty()) return without(problem);
-    noteHeightSteps(path, faults);
     if (m_firstMisfit.empty())
       m_firstMisfit =
           faults.empty() ? placeAndReason(path, *path.firstProblem()) : faults.front().words;
     if (faults.empty())
       learnMisfits(path);
     else if (!leadAround(path, faults))
-      return otherwise(blockedWay());
+      return without(blockedWay());
   }
-  return otherwise("no path in 3D among the first " + std::to_string(m_query.mostAttempts) +
-                   " that were tried, there may be another; what was wrong with the first, " +
-                   m_firstMisfit);
-}
-
-/** From an end to its cell's centre it is less than a cell, so the lookahead may raise the height
- * there by a step that the floor has a cell further on, where it is low enough. */
-void RobotPlanner::noteHeightSteps(const LiftedPath& path, const std::vector<WayFault>& faults)
-{
-  if (!m_evenFloor && !faults.empty() &&
-      std::all_of(faults.begin(), faults.end(),
-                  [](const WayFault& fault) { return fault.kind == WayFault::Kind::HeightStep; }))
-    m_evenFloor = path;
-}
-
-/** What is left where no path without a fault is found. */
-RobotPath RobotPlanner::otherwise(const std::string& problem) const
-{
-  return m_evenFloor ? RobotPath{*m_evenFloor, {}} : without(problem);
+  return without("no path in 3D among the first " + std::to_string(m_query.mostAttempts) +
+                 " that were tried, there may be another; what was wrong with the first, " +
+                 m_firstMisfit);
 }
 
 LiftedPath RobotPlanner::lift(const std::vector<TPoint2D>& points) const

@@ -2,7 +2,6 @@
 
 #include <mrpt_mapconv/planning/RobotPath.h>
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,8 +26,6 @@ class RobotPlanner
   {
     return isGround() ? m_layers.ground : m_layers.aerial;
   }
-  void noteHeightSteps(const path::LiftedPath& path, const std::vector<WayFault>& faults);
-  RobotPath otherwise(const std::string& problem) const;
   path::LiftedPath lift(const std::vector<mrpt::math::TPoint2D>& points) const;
   path::LiftedPath liftCentre(Cell cell) const;
   Cell cellOf(double x, double y) const;
@@ -54,10 +51,9 @@ class RobotPlanner
   const voxel::VoxelSource* m_voxels;
   GridSearch m_search;
   WayFaults m_faults;
-  std::optional<path::LiftedPath> m_evenFloor;  //!< the first with nothing but steps of its heights
-  CellMask m_looked;                            //!< cells whose centre was tried
-  std::string m_firstMisfit;                    //!< place and reason
-  bool m_ledAround = false;  //!< a fault between two points, which may depend on the way
+  CellMask m_looked;          //!< cells whose centre was tried
+  std::string m_firstMisfit;  //!< place and reason
+  bool m_ledAround = false;   //!< a fault between two points, which may depend on the way
 };
 
 }  // namespace mrpt_mapconv::planning

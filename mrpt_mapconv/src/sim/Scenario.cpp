@@ -30,9 +30,11 @@ std::vector<std::string> sensorSections(const CConfigFileMemory& ini)
   return sections;
 }
 
-std::vector<std::unique_ptr<const Sensor>> readSensors(const CConfigFileMemory& ini)
+using Sensors = std::vector<std::unique_ptr<const Sensor>>;
+
+Sensors readSensors(const CConfigFileMemory& ini)
 {
-  std::vector<std::unique_ptr<const Sensor>> sensors;
+  Sensors sensors;
   for (const auto& name : sensorSections(ini))
   {
     StrictSection section(ini, name);
@@ -41,6 +43,36 @@ std::vector<std::unique_ptr<const Sensor>> readSensors(const CConfigFileMemory& 
   if (sensors.empty())
     throw std::runtime_error("there is no sensor: a section 'sensor.NAME' must be there");
   return sensors;
+}
+
+std::string listed(const Sensors& sensors)
+{
+  std::string names;
+  for (const auto& sensor : sensors) names.append(" '").append(sensor->params().name).append("'");
+  return names;
+}
+
+void checkName(const std::string& name, const Sensors& sensors)
+{
+  if (std::none_of(sensors.begin(), sensors.end(),
+                   [&](const auto& sensor) { return sensor->params().name == name; }))
+    throw std::runtime_error("there is no sensor '" + name + "'; it must be one of" +
+                             listed(sensors));
+}
+
+/** Leaves those that the robot has. \param names of these; empty: all that are not spare */
+void chooseSensors(const std::vector<std::string>& names, Sensors& sensors)
+{
+  for (const std::string& name : names) checkName(name, sensors);
+  const auto isLeft = [&](const auto& sensor)
+  {
+    const SensorParams& params = sensor->params();
+    return names.empty() ? params.spare
+                         : std::find(names.begin(), names.end(), params.name) == names.end();
+  };
+  sensors.erase(std::remove_if(sensors.begin(), sensors.end(), isLeft), sensors.end());
+  if (sensors.empty())
+    throw std::runtime_error("all sensors are spare: one must be asked for by its name");
 }
 
 void readAtLeast(StrictSection& section, const std::string& key, double low, double& value)
@@ -214,11 +246,12 @@ class WayCheck
   const std::string m_key;
 };
 
-Scenario readScenario(const CConfigFileMemory& ini)
+Scenario readScenario(const CConfigFileMemory& ini, const std::vector<std::string>& names)
 {
   World world = World::fromIni(ini, {kSensorPrefix, "trajectory", "noise", "log", "truth"});
   checkBodies(world);
   auto sensors = readSensors(ini);
+  chooseSensors(names, sensors);
   if (!ini.sectionExists("trajectory"))
     throw std::runtime_error("there is no trajectory: a section 'trajectory' must be there");
   StrictSection section(ini, "trajectory");
@@ -237,12 +270,12 @@ Scenario readScenario(const CConfigFileMemory& ini)
 }
 }  // namespace
 
-Scenario Scenario::load(const std::string& file)
+Scenario Scenario::load(const std::string& file, const std::vector<std::string>& sensors)
 {
   const std::string text = params::readIniText(file);
   try
   {
-    return readScenario(CConfigFileMemory(text));
+    return readScenario(CConfigFileMemory(text), sensors);
   }
   catch (const std::exception& error)
   {

@@ -106,6 +106,18 @@ std::unique_ptr<octomap::AbstractOcTree> parse(std::string_view bytes)
   return std::move(made.tree);
 }
 
+/** Calls `read`; its errors get the file's name. */
+template <class Read>
+auto naming(const std::string& name, const Read& read)
+try
+{
+  return read();
+}
+catch (const std::runtime_error& e)
+{
+  throw std::runtime_error(name + ": " + e.what());
+}
+
 /** The bytes of a file, but no more than a node that its header promises can need: a few packed
  * bytes can become any number. */
 std::string readBytes(files::InputStream& stream)
@@ -114,23 +126,11 @@ std::string readBytes(files::InputStream& stream)
   constexpr std::uint64_t kNodeBytes = 8;  // the largest: a float, three bytes of colour, a mask
   std::string bytes = stream.readUpTo(kPiece);
   if (bytes.size() < kPiece) return bytes;
-  const OctreeHeader header = parseOctreeHeader(bytes);
+  const auto header = naming(stream.name(), [&] { return parseOctreeHeader(bytes); });
   const auto promised =
       std::min(header.nodes, std::numeric_limits<std::uint64_t>::max() / (2 * kNodeBytes));
   bytes += stream.readUpTo(header.length + promised * kNodeBytes);
   return bytes;
-}
-
-/** Calls `read`; its errors get the file's name. */
-template <class Read>
-std::unique_ptr<octomap::AbstractOcTree> naming(const std::string& name, const Read& read)
-try
-{
-  return read();
-}
-catch (const std::runtime_error& e)
-{
-  throw std::runtime_error(name + ": " + e.what());
 }
 }  // namespace
 

@@ -136,6 +136,23 @@ TEST_F(ReportPlans, AKerbIsGoneAroundWhereItIsLow)
   }
 }
 
+TEST_F(ReportPlans, WhatIsPlannedOverAStepCanBeLifted)
+{
+  // two voxels, the most that the slope allows from cell to cell, and seen half a metre ahead: from
+  // 0.05 m before the start on to just behind it
+  convertFloors([](std::size_t x, std::size_t) { return x < 10 ? 0 : 2; });
+  for (const char* start : {"0.501,0.52", "0.53,0.52", "0.555,0.52", "0.35,0.35", "0.999,0.75"})
+  {
+    const Outcome planned = plan("ground", start, "1.7,0.53", "0");
+    ASSERT_EQ(0, planned.status) << start << planned.err;
+    const Outcome lifted = mapconv({"lift", map(), m_dir.path("path.csv"), "--robot", "ground",
+                                    "-o", m_dir.path("lifted.csv")});
+    EXPECT_EQ(0, lifted.status) << start << lifted.err;
+    const Outcome straight = lift("ground", start + std::string("\n1.7,0.53\n"));
+    EXPECT_EQ(0, straight.status) << start << straight.err;
+  }
+}
+
 TEST_F(ReportPlans, LengthsAreGivenIn3DAndIn2D)
 {
   // a ramp of 45 degrees, 1 m long

@@ -155,6 +155,29 @@ TEST_F(Simulate, BadWorldsAreNamed)
   EXPECT_TRUE(contains(error, "'trajectory'") && contains(error, "colour")) << error;
 }
 
+TEST_F(Simulate, ASpareSensorIsUsedIfItIsAskedFor)
+{
+  const std::string scanner =
+      "[sensor.scanner]\nspare = true\nkind = scanner2D\npose = 0 0 0.3 0 0 0\nrate = 2\n"
+      "fieldOfView = 180\nrays = 90\nmaxRange = 10\n";
+  const auto scansOf = [&](const std::vector<std::string>& more)
+  {
+    auto arguments = more;
+    arguments.push_back("--json");
+    const Outcome outcome = simulate(kRoom + scanner, "out", arguments);
+    EXPECT_EQ(0, outcome.status) << outcome.err;
+    return parseJson(outcome.out)["scans"].number;
+  };
+  EXPECT_EQ(9, scansOf({}));                       // of the lidar, at 0, 0.25 ... 2 s
+  EXPECT_EQ(5, scansOf({"--sensor", "scanner"}));  // at 0, 0.5 ... 2 s
+  EXPECT_EQ(14, scansOf({"--sensor", "scanner", "--sensor", "lidar"}));
+  const Outcome outcome = simulate(kRoom + scanner, "bad", {"--sensor", "camera"});
+  EXPECT_EQ(1, outcome.status);
+  EXPECT_TRUE(isOneError(outcome.err)) << outcome.err;
+  EXPECT_TRUE(contains(outcome.err, "no sensor 'camera'; it must be one of 'lidar' 'scanner'"))
+      << outcome.err;
+}
+
 TEST_F(Simulate, WrongUsage)
 {
   EXPECT_EQ(2, mapconv({"simulate"}).status);

@@ -32,6 +32,16 @@ TEST(CellMask, CellsOfBothMasks)
   EXPECT_THROW(eval::both(mask(a), CellMask(GridFrame{1.0, 0, 0, 4, 1}, 1)), std::invalid_argument);
 }
 
+TEST(CellMask, CellsOfOneMaskWithoutThoseOfAnother)
+{
+  const auto a = row({0, 1, 1, 1}), b = row({1, 0, 1}, 1);  // the last cells are the same one
+  const auto cells = eval::without(eval::cellsFrom(a, 0.5f), eval::cellsFrom(b, 0.5f));
+  EXPECT_EQ(cells.frame(), a.frame());
+  EXPECT_EQ(cells.cells(), (std::vector<std::uint8_t>{0, 0, 1, 0}));
+  EXPECT_THROW(eval::without(mask(a), CellMask(GridFrame{1.0, 0, 0, 4, 1}, 1)),
+               std::invalid_argument);
+}
+
 TEST(CellMask, CellsFromAValueOn)
 {
   const auto cells = eval::cellsFrom(row({0.4f, 0.5f, 2, std::nanf("")}), 0.5f);

@@ -24,6 +24,13 @@ TEST(FileIo, errorsNameFileAndReason)
   EXPECT_THROW(checkWritten(dir.path("none")), std::runtime_error);
 }
 
+TEST(FileIo, theEndingPassesOverThatOfGzip)
+{
+  EXPECT_EQ(".bt", endingOf("folder.d/map.BT.gz"));
+  EXPECT_EQ(".ot", endingOf("map.ot"));
+  EXPECT_EQ("", endingOf("a.b/map"));
+}
+
 TEST(FileIo, noticesFullDisk)
 {
   if (!std::filesystem::exists("/dev/full")) GTEST_SKIP() << "no /dev/full here";

@@ -19,6 +19,21 @@ struct Example
 
 const std::vector<Example> kExamples = {
     {"x", "# .PCD v0.7 - Point Cloud Data file format\n", "a point cloud of PCL (.pcd)"},
+    {"x", "\xEF\xBB\xBF# .PCD v0.7\r\n", "a point cloud of PCL (.pcd)"},
+    {"x", "VERSION .7\r\nFIELDS x y z\r\n", "a point cloud of PCL (.pcd)"},
+    {"x", "# from the attic\nVERSION 0.6\nCOLUMNS x y z\n", "a point cloud of PCL (.pcd)"},
+    {"scan.pcd", "1 2 3\n", "by its name a point cloud of PCL (.pcd), but does not begin"},
+    {"drive.BAG", "\1\2", "rosbag2rawlog"},
+    {"a.laz", "\1\2", "a point cloud of a laser scanner (.laz)"},
+    {"a.las.gz", "\1\2", "a point cloud of a laser scanner (.las)"},
+    {"a.ply", "\1\2", "(.ply)"},
+    {"a.e57", "\1\2", "(.e57)"},
+    {"a.mcap", "\1\2", "rosbags-convert"},
+    {"a.db3", "\1\2", "rosbags-convert"},
+    {"map.bt.gz.gz", "\x1f\x8b\x08\x00"s, "gzipped twice; unpack it once"},
+    {"x", "BM\x36\x10\0\0\0\0\0\0\x36\0"s, "(.bmp)"},
+    {"x", "solid cube\n facet normal 0 0 1\n", "(.stl)"},
+    {"x", "BZh91AY&SY\1", "bzip2"},
     {"x", "ply\nformat ascii 1.0\n", "(.ply)"},
     {"x", "ply\r\nformat", "(.ply)"},
     {"x", "LASF\0\0\0\0"s, "(.las, .laz)"},
@@ -68,6 +83,12 @@ TEST(ForeignKind, FilesThatAreReadAreNone)
                                      {"map.mm", "\x94mrpt::maps::COctoMap..\1", ""}};
   for (const auto& [name, begin, words, size] : ours)
     EXPECT_EQ("", foreignKindOf({name, begin, size})) << name;
+}
+
+TEST(ForeignKind, ATextIsNoneForAFewLettersOfIts)
+{
+  for (const char* text : {"BMW drove here", "solid ground", "BZhang's map", "GIF8 is it not"})
+    EXPECT_EQ("", foreignKindOf({"x", text})) << text;
 }
 
 TEST(ForeignKind, AScanOfKittiHasFourFloatsAPoint)

@@ -112,7 +112,11 @@ TEST(ObjectFile, NamesAnUnknownClass)
   const TempDir dir;
   writeBytes(dir.file("a"), std::string("\x87") + "CNewMap" + std::string("\0\x88", 2));
   const std::string error = errorOf(dir.file("a"));
-  EXPECT_TRUE(contains(error, "'CNewMap'") && contains(error, "not registered")) << error;
+  for (const char* words : {"object 1", "'CNewMap'", "plugin", "LD_PRELOAD", "damaged"})
+    EXPECT_TRUE(contains(error, words)) << error;
+  writeBytes(dir.file("a"), std::string("\x80\0", 2));
+  EXPECT_EQ(errorOf(dir.file("a")),
+            dir.file("a") + ": object 1 has no class, so the file is damaged");
 }
 
 TEST(ObjectFile, DamageAfterGoodObjects)

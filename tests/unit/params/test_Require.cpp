@@ -30,7 +30,9 @@ TEST(MrptError, OneLineOfMrptsMessage)
 
 TEST(MrptError, OtherExceptions)
 {
-  EXPECT_EQ(lineOf([] { throw std::runtime_error("first\nsecond"); }), "first");
+  EXPECT_EQ(lineOf([] { throw std::runtime_error("a\nb.bt: is empty"); }), "a b.bt: is empty");
+  EXPECT_EQ(lineOf([] { throw std::runtime_error("Message: a.bt: is empty"); }),
+            "Message: a.bt: is empty");
   EXPECT_EQ(lineOf([] { throw std::runtime_error(""); }), "");
 }
 

@@ -34,8 +34,10 @@ TEST(StepLimit, IsTheLargestOfStepVoxelAndSlope)
 {
   freespace::ConversionParams conversion;
   conversion.maxSlope = 2;
-  EXPECT_DOUBLE_EQ(StepLimit(conversion, 0.1).at(0.04), 0.1);
+  EXPECT_DOUBLE_EQ(StepLimit(conversion, 0.1).at(0.3), 0.6);
   EXPECT_DOUBLE_EQ(StepLimit(conversion, 0.1).at(0.1), 0.2);
+  EXPECT_DOUBLE_EQ(StepLimit(conversion, 0.1).at(0.04), 0.2) << "a cell at least";
+  EXPECT_DOUBLE_EQ(StepLimit(conversion, 0.3).at(0.1), 0.6);
   conversion.maxStep = 0.3;
   EXPECT_DOUBLE_EQ(StepLimit(conversion, 0.1).at(0.1), 0.3);
   EXPECT_FALSE(StepLimit(conversion, 0.1).forbids(-0.3, 0.1));

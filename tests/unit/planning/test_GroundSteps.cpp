@@ -186,7 +186,7 @@ bool connected(const freespace::Layers& layers, const oracle::PieceOracle& steps
 
 TEST(GroundSteps, ThereIsAPathIfAndOnlyIfLowStepsLeadToTheGoal)
 {
-  int paths = 0, none = 0, winding = 0, atEnds = 0;
+  int paths = 0, none = 0, winding = 0;
   for (unsigned seed = 0; seed < 1500 && !HasFatalFailure(); ++seed)
   {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -201,8 +201,10 @@ TEST(GroundSteps, ThereIsAPathIfAndOnlyIfLowStepsLeadToTheGoal)
     };
     const auto from = cell(), to = cell();
     auto task = query(from.first, from.second, to.first, to.second);
-    task.start += {0.04 * pick(rng, -1, 1), 0.04 * pick(rng, -1, 1)};
-    task.lift.lookahead = 0.1 * pick(rng, 0, 5);
+    const auto aside = [&] { return 0.001 * pick(rng, -49, 49); };  // anywhere in the cell
+    task.start += {aside(), aside()};
+    task.goal += {aside(), aside()};
+    task.lift.lookahead = 0.05 * pick(rng, 0, 12);
     if (layers.ground.at(from.first, from.second) != 0 ||
         layers.ground.at(to.first, to.second) != 0)
       continue;
@@ -214,16 +216,11 @@ TEST(GroundSteps, ThereIsAPathIfAndOnlyIfLowStepsLeadToTheGoal)
     ASSERT_EQ(path.found(), connected(layers, rule, from.first, from.second, to.first, to.second))
         << path.problem;
     ++(path.found() ? paths : none);
-    const auto& points = path.path.points;
-    for (std::size_t i = 1; i < points.size(); ++i)
+    for (std::size_t i = 1; i < path.path.points.size(); ++i)
     {
-      const auto way = points[i].position - points[i - 1].position;
-      const double distance = std::hypot(way.x, way.y);
-      if (!rule.stepTooHigh(points[i - 1].position.z, points[i].position.z, distance)) continue;
-      // only where start or goal are less than a cell from their cells' centres
-      ++atEnds;
-      ASSERT_TRUE(i == 1 || i + 1 == points.size());
-      ASSERT_FALSE(rule.stepTooHigh(points[i - 1].position.z, points[i].position.z, kCell));
+      const auto &a = path.path.points[i - 1].position, &b = path.path.points[i].position;
+      ASSERT_FALSE(rule.stepTooHigh(a.z, b.z, std::hypot(b.x - a.x, b.y - a.y)))
+          << a << " to " << b;
     }
     winding += path.found() && path.path.length2D() > 1.5 * std::hypot(task.goal.x - task.start.x,
                                                                        task.goal.y - task.start.y);
@@ -234,7 +231,6 @@ TEST(GroundSteps, ThereIsAPathIfAndOnlyIfLowStepsLeadToTheGoal)
   EXPECT_GT(paths, 300);
   EXPECT_GT(none, 200);
   EXPECT_GT(winding, 20);
-  EXPECT_LT(atEnds, 20);
 }
 
 }  // namespace

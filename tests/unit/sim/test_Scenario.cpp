@@ -49,6 +49,33 @@ maxStep = 0.05
   EXPECT_EQ(s.truth.maxStep, 0.05);
 }
 
+TEST(Scenario, HasTheSensorsThatAreNotSpareOrThoseThatAreAskedFor)
+{
+  const TempDir dir;
+  const std::string file = dir.path("world.ini");
+  const auto namesOf = [&](const std::vector<std::string>& wanted)
+  {
+    std::string names;
+    for (const auto& sensor : Scenario::load(file, wanted).sensors)
+      names += sensor->params().name + " ";
+    return names;
+  };
+  std::ofstream(file) << kRoom + kScanner + "spare = true\n" + kLidar + kCamera + kDrive;
+  EXPECT_EQ(namesOf({}), "camera lidar ");
+  EXPECT_EQ(namesOf({"front"}), "front ");
+  EXPECT_EQ(namesOf({"lidar", "front"}), "front lidar ");
+  EXPECT_EQ(messageOf(
+                [&] {
+                  namesOf({"lidar", "rear"});
+                }),
+            file + ": there is no sensor 'rear'; it must be one of 'camera' 'front' 'lidar'");
+
+  std::ofstream(file) << kRoom + kScanner + "spare = true\n" + kDrive;
+  EXPECT_EQ(messageOf([&] { namesOf({}); }),
+            file + ": all sensors are spare: one must be asked for by its name");
+  EXPECT_EQ(namesOf({"front"}), "front ");
+}
+
 TEST(Scenario, NoiseLogAndTruthMayBeLeftOut)
 {
   const auto s = load(kRoom + kScanner + kDrive);
@@ -102,6 +129,8 @@ TEST(Scenario, NamesWhatIsWrong)
       {good + "[cylinder.pit]\nbase = 0 0 -9\nradius = 1\nheight = 7\n",
        "section 'cylinder.pit': the body is outside"},
       {kRoom + kScanner + "dropout = 1\n" + kDrive, "section 'sensor.front': dropout = '1'"},
+      {kRoom + kScanner + "spare = perhaps\n" + kDrive,
+       "section 'sensor.front': spare = 'perhaps'"},
       {kRoom + kScanner + "[trajectory]\nspeed = 1e-9\nwaypoints = [0 0 0] [1 0 0]",
        "section 'trajectory': speed = '1e-9' is not valid: it must be such that the run takes at "
        "most 86400 s (24 h)"},
@@ -160,7 +189,7 @@ TEST(Scenario, NamesAFileThatCannotBeRead)
 TEST(Scenario, WorldsOfTheRepositoryAreGood)
 {
   const std::string worlds = MRPT_MAPCONV_SOURCE_DIR "/config/worlds/";
-  for (const char* name : {"building", "cave", "outdoor"})
+  for (const char* name : {"building", "cave", "drops", "outdoor"})
   {
     const auto s = Scenario::load(worlds + name + ".ini");
     EXPECT_EQ(s.trajectory.isFlat(), std::string(name) == "building");

@@ -72,6 +72,19 @@ TEST(OctreeFileForms, AGzippedFileThatIsCutOffIsAnError)
   }
 }
 
+TEST(OctreeFileForms, ErrorsNameTheFileWhateverItsSize)
+{
+  const TempDir dir;
+  const std::string begin = "# Octomap OcTree binary file\n";
+  for (const std::string& text : {std::string("no octree"), begin + "size 12a\n", begin + "id 1\n"})
+    for (const std::size_t size : {text.size(), std::size_t(2000000)})
+    {
+      files::writeFile(dir.path("big.bt"), text + std::string(size - text.size(), '\1'));
+      const auto message = messageOf([&] { readOctreeFile(dir.path("big.bt")); });
+      EXPECT_EQ(0U, message.find(dir.path("big.bt") + ": ")) << message;
+    }
+}
+
 TEST(OctreeFileForms, MoreBytesThanTheNodesNeedAreNotUnpacked)
 {
   const TempDir dir;

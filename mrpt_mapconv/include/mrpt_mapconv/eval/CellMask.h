@@ -15,6 +15,9 @@ using CellMask = grid::Layer<std::uint8_t>;
 /** The cells that both masks have, on the frame of `a`. */
 CellMask both(const CellMask& a, const CellMask& b);
 
+/** The cells that `a` has and `b` does not have, on the frame of `a`. */
+CellMask without(const CellMask& a, const CellMask& b);
+
 /** The cells of a layer with a value of at least `least`. */
 CellMask cellsFrom(const grid::Layer<float>& layer, float least);
 

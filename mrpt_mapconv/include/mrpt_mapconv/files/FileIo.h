@@ -10,6 +10,9 @@ namespace mrpt_mapconv::files
  */
 void writeFile(const std::string& path, std::string_view bytes);
 
+/** The ending of a file's name with its dot, in small letters; ".gz" is passed over. */
+std::string endingOf(const std::string& name);
+
 /** Makes sure that a file somebody has written and closed has reached the disk: errors that the
  * system reports late (full disk, broken device) show here.
  * \exception std::runtime_error naming the file and the system's reason */

@@ -27,7 +27,7 @@ struct Layers
     grid::Layer<float> Layers::*member;
     const char *name, *title, *unit;
     grid::LayerKind kind;
-    grid::Layer<float> Layers::*freeFor = nullptr;
+    grid::Layer<float> Layers::*freeFor = nullptr, Layers::*evidence = nullptr;
 
     /** Whether it came with the evidence of the ground: files of earlier versions lack it. */
     bool isOfGround() const { return member == &Layers::support || member == &Layers::evidence; }
@@ -46,6 +46,8 @@ struct Layers
 
   /** The layers as files, pictures and views show them; valid as long as this object. */
   std::vector<grid::StyledLayer> styled() const;
+  /** The same, with drop edges marked. \param edges see dropEdges() */
+  std::vector<grid::StyledLayer> styled(const grid::Layer<float>& edges) const;
   /** One of them. \exception std::invalid_argument if there is none of that name */
   grid::StyledLayer styled(const std::string& name) const;
   /** Only names and layers. */

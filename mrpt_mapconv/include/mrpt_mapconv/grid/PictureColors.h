@@ -19,6 +19,9 @@ inline const TColor kFreeColor{255, 255, 255};
 inline const TColor kOccupiedColor{32, 38, 46};
 inline const TColor kUnknownColor{199, 203, 209};
 inline const TColor kSteepColor{232, 131, 46};
+inline const TColor kInferredColor{200, 226, 244};
+inline const TColor kFrontierColor{204, 121, 167};
+inline const TColor kDropColor{178, 24, 43};
 inline const TColor kPathColor{0, 114, 178};
 
 /** A value of LayerKind::Evidence. */
@@ -29,10 +32,10 @@ struct EvidenceLook
 };
 inline const std::array<EvidenceLook, 5> kEvidenceLooks{
     {{kNoDataColor, "nothing known"},
-     {{255, 255, 255}, "ground seen"},
-     {{186, 222, 242}, "ground inferred from what was seen around"},
-     {{204, 121, 167}, "ground not seen: it lies at or below what is free"},
-     {{32, 38, 46}, "wall"}}};
+     {kFreeColor, "ground seen"},
+     {kInferredColor, "ground inferred from what was seen around"},
+     {kFrontierColor, "ground not seen: it lies at or below what is free"},
+     {kOccupiedColor, "wall"}}};
 
 /** Colour of t in [0, 1]: dark blue over green to yellow, of evenly rising lightness, so that it
  * also reads without colour vision and in print (MRPT's jet does not). */

@@ -16,6 +16,9 @@ enum class LayerKind
   Evidence,   //!< 0 none, 1 seen, 2 inferred, 3 open, 4 wall, of what is known of the ground
 };
 
+/** The value of LayerKind::Evidence for inferred ground. */
+constexpr float kInferredGround = 2;
+
 /** A cell of which nothing is known. */
 float unknownCell(LayerKind kind);
 /** "height", "slope", "occupancy" or "evidence". */
@@ -32,6 +35,11 @@ struct StyledLayer
   /** Only for Occupancy, on the same frame: a picture shows occupied cells that are free in this
    * layer as "too steep or too high a step (free for a flying robot)". */
   const Layer<float>* freeFor = nullptr;
+  /** Only beside freeFor, on the same frame: of LayerKind::Evidence. A picture tints free cells
+   * whose ground is inferred, and shows unknown ones that are free in freeFor as frontier. */
+  const Layer<float>* evidence = nullptr;
+  /** Only beside freeFor, on the same frame: cells that are not 0 are shown as drop edges. */
+  const Layer<float>* drops = nullptr;
 };
 
 /** The layer of that name.

@@ -21,8 +21,8 @@ void require(bool ok, const char* name, Value value, const Text& right)
   throw std::invalid_argument(message.str());
 }
 
-/** What an exception says, in one line: MRPT's own come with a frame, a location and a call stack,
- * which are of use to MRPT's developers only. */
+/** What an exception says, in one line that can be shown: MRPT's own come with a frame, a location
+ * and a call stack, which are of use to MRPT's developers only. */
 std::string oneLine(const std::exception& error);
 
 }  // namespace mrpt_mapconv::params

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <charconv>
+#include <cstddef>
 #include <string>
 #include <string_view>
 #include <system_error>
@@ -45,5 +46,7 @@ std::string withoutByteOrderMark(std::string text);
 std::string trimmed(std::string_view text);
 /** ASCII letters made small. */
 std::string lowerCase(std::string text);
+/** "1 scan", "2 scans". \param noun in the singular, one that takes an s */
+std::string counted(std::size_t count, std::string_view noun);
 
 }  // namespace mrpt_mapconv::params

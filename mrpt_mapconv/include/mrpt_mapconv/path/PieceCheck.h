@@ -25,7 +25,7 @@ struct PieceProblem
   mrpt::math::TPoint2D place;  //!< [m]
   double from = 0, to = 0;  //!< heights before and behind the step, or below and above what is in
                             //!< the way [m]
-  double distance = 0;      //!< between the two points, horizontally [m]
+  double distance = 0;      //!< between the two points, horizontally, as StepLimit counts it [m]
   double limit = 0;         //!< of the step [m]
 
   std::string inWords() const;  //!< with place and heights

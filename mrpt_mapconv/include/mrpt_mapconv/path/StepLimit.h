@@ -8,19 +8,26 @@
 namespace mrpt_mapconv::path
 {
 /** How much the height of a ground robot's path may change between two neighbouring points:
- * max(maxStep, one voxel, maxSlope · their horizontal distance). */
+ * max(maxStep, one voxel, maxSlope · their horizontal distance).
+ *
+ * A distance of less than a cell counts as one: floors change from cell to cell, so how near to the
+ * border between two the points lie is of no account. */
 class StepLimit
 {
  public:
   /** \param resolution of the layers [m] */
   StepLimit(const freespace::ConversionParams& conversion, double resolution)
-      : m_least(std::max(conversion.maxStep, resolution)), m_slope(conversion.maxSlope)
+      : m_cell(resolution),
+        m_least(std::max(conversion.maxStep, resolution)),
+        m_slope(conversion.maxSlope)
   {
   }
 
-  double least() const { return m_least; }  //!< between points at one place [m]
-  /** \param distance between the points, horizontally [m] \return [m] */
-  double at(double distance) const { return std::max(m_least, m_slope * distance); }
+  double least() const { return m_least; }  //!< max(maxStep, one voxel) [m]
+  /** The distance that counts. \param distance between the points, horizontally [m] \return [m] */
+  double counted(double distance) const { return std::max(distance, m_cell); }
+  /** \param distance as for counted() \return [m] */
+  double at(double distance) const { return std::max(m_least, m_slope * counted(distance)); }
 
   /** Whether a change of height is too high. \param change, distance [m] */
   bool forbids(double change, double distance) const
@@ -30,7 +37,7 @@ class StepLimit
   }
 
  private:
-  double m_least, m_slope;
+  double m_cell, m_least, m_slope;
 };
 
 }  // namespace mrpt_mapconv::path

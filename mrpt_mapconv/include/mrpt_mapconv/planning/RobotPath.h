@@ -40,9 +40,8 @@ struct RobotPath
  * start's to the goal's, there is a path, and it is found unless mostAttempts ways have been bad
  * before, or something lies between two points, as a slab does if one is below and the next above
  * it: that is led around, too, but not every way around is tried, as heights depend on the way. On
- * the path found PieceCheck finds no fault (at most, in a ground robot's first and last cell, a
- * step of the heights that run ahead of an even floor), the sphere is clear at every point, and
- * between two points never more than a cell away from a place where it is.
+ * the path found PieceCheck finds no fault, the sphere is clear at every point, and between two
+ * points never more than a cell away from a place where it is.
  *
  * \param layers, conversion, voxels as for liftPath()
  * \exception std::invalid_argument as planOnGrid() and liftPath(), and for mostAttempts < 1 */

@@ -47,9 +47,11 @@ struct Scenario
    * centimetre above it, since it may stand on a floor) and every sensor are tried each 5 cm. It
    * must take at most 24 h. At least one body must be there, each at least partly within the
    * bounds, and the truth may have 4e7 cells. share/doc/worlds.md is for who writes such a file.
+   * \param sensors names of those that the robot has; empty: all that are not spare
    * \exception std::runtime_error in one line "FILE: section 'x': …" naming key and value, and what
-   * would be right; also for sections and keys that mean nothing, and if the file cannot be read */
-  static Scenario load(const std::string& file);
+   * would be right; also for sections and keys that mean nothing, for the name of a sensor that is
+   * not there, and if the file cannot be read */
+  static Scenario load(const std::string& file, const std::vector<std::string>& sensors = {});
 };
 
 }  // namespace mrpt_mapconv::sim

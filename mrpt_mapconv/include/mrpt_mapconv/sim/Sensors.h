@@ -23,6 +23,7 @@ struct SensorParams
   double maxRange = 0;        //!< nor those beyond [m]
   double rangeNoise = 0;      //!< standard deviation along the ray [m]
   double dropout = 0;         //!< share of returns that are missing, from 0 to below 1
+  bool spare = false;         //!< only used where it is asked for by its name
 };
 
 /** What a sensor sees at one instant. */
@@ -83,6 +84,7 @@ class Sensor
  * maxRange = 15             // [m]
  * rangeNoise = 0.01         // standard deviation [m]; default 0
  * dropout = 0.01            // share of missing returns, below 1; default 0
+ * spare = true              // only used where it is asked for by its name; default false
  * \endcode
  * - lidar gives a CObservationPointCloud: `azimuthSteps` per turn, and `elevations` [degrees], or
  *   `beams` evenly from `elevationMin` to `elevationMax` [degrees];

@@ -50,6 +50,7 @@ SensorParams readParams(StrictSection& section)
   readOptional(section, "rangeNoise", 0, p.maxRange, p.rangeNoise);
   section.read("dropout", p.dropout);
   if (!(p.dropout >= 0 && p.dropout < 1)) section.fail("dropout", "a number from 0 to below 1");
+  section.read("spare", p.spare);
   return p;
 }
 }  // namespace

@@ -1,0 +1,123 @@
+// What planRobotPath() plans is what liftPath() and PieceCheck accept.
+#include <gtest/gtest.h>
+#include <mrpt_mapconv/freespace/Conversion.h>
+#include <mrpt_mapconv/path/PieceCheck.h>
+#include <mrpt_mapconv/planning/RobotPath.h>
+#include <mrpt_mapconv/voxel/OctreeSource.h>
+#include <octomap/octomap.h>
+
+#include <algorithm>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "RandomMap.h"
+
+namespace
+{
+using namespace mrpt_mapconv;
+using namespace mrpt_mapconv::test;
+using freespace::Robot;
+using mrpt::math::TPoint2D;
+
+constexpr int kSide = 24, kTop = 30;  // voxels
+
+/** Floors in patches, each a little higher or lower than what it lies on, some walls and lintels;
+ * free space up to kTop. */
+void fillWithSteps(Rng& rng, octomap::OcTree& tree)
+{
+  std::vector<int> floor(kSide * kSide, 4), top(kSide * kSide, kTop);
+  for (int patch = pick(rng, 3, 20); patch > 0; --patch)
+  {
+    const int x = pick(rng, 0, kSide - 1), y = pick(rng, 0, kSide - 1);
+    const int xEnd = std::min(kSide, x + pick(rng, 1, 14));
+    const int yEnd = std::min(kSide, y + pick(rng, 1, 14));
+    const int kind = pick(rng, 0, 9), change = kind == 0 ? kTop : pick(rng, -2, 2);
+    for (int iy = y; iy < yEnd; ++iy)
+      for (int ix = x; ix < xEnd; ++ix)
+        if (const auto i = static_cast<std::size_t>(iy * kSide + ix); kind == 1)
+          top[i] = kTop - 14;
+        else
+          floor[i] = std::clamp(floor[i] + change, 0, kTop);
+  }
+  for (int iy = 0; iy < kSide; ++iy)
+    for (int ix = 0; ix < kSide; ++ix)
+      for (int z = -1; z < kTop; ++z)
+      {
+        const auto i = static_cast<std::size_t>(iy * kSide + ix);
+        tree.setNodeValue(oracle::octomapKey(ix, iy, z), z < floor[i] || z >= top[i] ? 3.5f : -2.0f,
+                          true);
+      }
+  tree.updateInnerOccupancy();
+}
+
+/** A place anywhere in a free cell; anywhere at all if none is found. */
+TPoint2D somewhere(Rng& rng, const grid::Layer<float>& occupancy, double res)
+{
+  int ix = 0, iy = 0;
+  for (int tries = 0; tries < 40; ++tries)
+  {
+    ix = pick(rng, 0, kSide - 1), iy = pick(rng, 0, kSide - 1);
+    if (occupancy.at(ix, iy) == grid::kFree) break;
+  }
+  return {(ix + uniform(rng, 0.001, 0.999)) * res, (iy + uniform(rng, 0.001, 0.999)) * res};
+}
+
+std::vector<TPoint2D> flat(const path::LiftedPath& path)
+{
+  std::vector<TPoint2D> points;
+  for (const auto& point : path.points) points.emplace_back(point.position.x, point.position.y);
+  return points;
+}
+
+TEST(PlanLift, EveryPlannedPathIsAccepted)
+{
+  constexpr double kResolutions[] = {0.05, 0.1, 0.3};
+  int climbing = 0, flown = 0;
+  for (unsigned seed = 0; seed < 1000 && !HasFatalFailure(); ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Rng rng(seed);
+    const double res = kResolutions[pick(rng, 0, 2)];
+    octomap::OcTree tree(res);
+    fillWithSteps(rng, tree);
+    const voxel::OctreeSource<octomap::OcTree> source(tree);
+
+    freespace::ConversionParams conversion;
+    conversion.minClearance = pick(rng, 5, 12) * res;
+    conversion.maxStep = chance(rng, 60) ? 0 : pick(rng, 1, 3) * res;
+    conversion.maxSlope = uniform(rng, 1, 4);
+    const auto layers = freespace::convert(source, conversion, 1);
+    planning::RobotPathQuery query;
+    query.lift.robot = chance(rng, 75) ? Robot::Ground : Robot::Aerial;
+    const bool ground = query.lift.robot == Robot::Ground;
+    query.robotRadius = chance(rng, 50) ? 0 : uniform(rng, 0, 2) * res;
+    query.lift.safetyRadius = conversion.minClearance * uniform(rng, 0.1, 0.4);
+    query.lift.heightOffset = ground && chance(rng, 70) ? 0 : uniform(rng, 0, 6) * res;
+    query.lift.lookahead = chance(rng, 50) ? 5 * res : uniform(rng, 0, 8) * res;
+    const auto& occupancy = ground ? layers.ground : layers.aerial;
+    query.start = somewhere(rng, occupancy, res);
+    query.goal = somewhere(rng, occupancy, res);
+
+    const auto planned = planning::planRobotPath(layers, conversion, query, &source);
+    if (!planned.found()) continue;
+    const auto lifted = path::liftPath(flat(planned.path), layers, conversion, query.lift, &source);
+    ASSERT_EQ(lifted.points.size(), planned.path.points.size());
+    ASSERT_TRUE(lifted.feasible()) << lifted.describeProblem(*lifted.firstProblem());
+    for (const auto& problem :
+         path::PieceCheck(layers, conversion, query.lift, &source).problems(lifted))
+      FAIL() << "point " << problem.index << " " << problem.inWords();
+    double low = 1e9, high = -1e9;
+    for (const auto& point : lifted.points)
+    {
+      low = std::min(low, point.position.z);
+      high = std::max(high, point.position.z);
+    }
+    climbing += ground && high - low > 1.5 * res;
+    flown += !ground;
+  }
+  EXPECT_GT(climbing, 100);
+  EXPECT_GT(flown, 50);
+}
+
+}  // namespace
