@@ -49,7 +49,8 @@ TEST(Layers, SayWhatTheyShow)
     EXPECT_EQ(styled[i].name, named[i].first);
     EXPECT_EQ(styled[i].layer, named[i].second);
     EXPECT_FALSE(styled[i].title.empty()) << styled[i].name;
-    EXPECT_EQ(styled[i].unit.empty(), styled[i].kind == grid::LayerKind::Occupancy);
+    EXPECT_EQ(styled[i].unit.empty(), styled[i].kind == grid::LayerKind::Occupancy ||
+                                          styled[i].kind == grid::LayerKind::Evidence);
   }
   EXPECT_EQ(layers.styled("ground").freeFor, &layers.aerial);
   EXPECT_EQ(layers.styled("aerial").freeFor, nullptr);
@@ -60,15 +61,15 @@ TEST(Layers, SayWhatTheyShow)
 TEST(Layers, LaidOnAnotherFrameKeepSharedCells)
 {
   Layers layers(grid::GridFrame{0.1, 0, 0, 2, 2});
-  for (auto* layer :
-       {&layers.floor, &layers.ceiling, &layers.slope, &layers.aerial, &layers.ground})
-    layer->cells() = {1, 2, 3, 4};  // south row, then north row
+  for (const auto& entry : Layers::list())
+    (layers.*entry.member).cells() = {1, 2, 3, 4};  // south row, then north row
 
   const Layers moved = layers.onFrame(grid::GridFrame{0.1, 1, -1, 3, 2});
   for (const auto& [name, layer] : moved.named())
   {
     SCOPED_TRACE(name);
-    const float unknown = name == "aerial" || name == "ground" ? -1.0f : kNaN;
+    const bool isOccupancy = name == "aerial" || name == "ground";
+    const float unknown = isOccupancy ? -1.0f : name == "evidence" ? 0.0f : kNaN;
     EXPECT_EQ(layer->frame().x0, 1);
     EXPECT_EQ(layer->frame().y0, -1);
     expectCells(*layer, {{2, unknown, unknown}, {unknown, unknown, unknown}});
