@@ -84,22 +84,22 @@ TEST_F(ReportMessages, WallsThatNobodyLooksForAreNamed)
   write("off.ini", "[scanInsertion]\nreflectionFilter = false\n");
   write("walls.ini",
         "[scanInsertion]\nstructureMinZ = 2\nstructureMaxZ = 3\nstructureGap = -1\nsectors = 0\n");
-  const auto words = [](const Outcome& run, const std::string& words)
+  const auto expectOne = [](const Outcome& run, const std::string& words)
   {
     EXPECT_EQ(0, run.status) << run.err;
     EXPECT_TRUE(contains(run.err, words)) << words << " in " << run.err;
     EXPECT_EQ(1U, countOf("no effect", run.err)) << run.err;
   };
-  words(insert("a.rawlog", {"-c", path("off.ini"), "--structure", "2", "3"}),
-        "--structure has no effect: reflectionFilter = false of " + path("off.ini"));
-  words(insert("a.rawlog", {"--no-reflection-filter", "--structure", "2", "3"}),
-        "--structure has no effect: --no-reflection-filter");
-  words(insert("a.rawlog", {"-c", path("walls.ini"), "--no-reflection-filter"}),
-        "structureMinZ, structureMaxZ of " + path("walls.ini") +
-            " have no effect: --no-reflection-filter");
+  expectOne(insert("a.rawlog", {"-c", path("off.ini"), "--structure", "2", "3"}),
+            "--structure has no effect: reflectionFilter = false of " + path("off.ini"));
+  expectOne(insert("a.rawlog", {"--no-reflection-filter", "--structure", "2", "3"}),
+            "--structure has no effect: --no-reflection-filter");
+  expectOne(insert("a.rawlog", {"-c", path("walls.ini"), "--no-reflection-filter"}),
+            "structureMinZ, structureMaxZ of " + path("walls.ini") +
+                " have no effect: --no-reflection-filter");
   EXPECT_FALSE(contains(insert("a.rawlog", {"-c", path("walls.ini")}).err, "no effect"));
-  words(insert("a.rawlog", {"--no-reflection-filter", "--static", "--pose-source", "x"}),
-        "--pose-source has no effect: --static");
+  expectOne(insert("a.rawlog", {"--no-reflection-filter", "--static", "--pose-source", "x"}),
+            "--pose-source has no effect: --static");
 }
 
 TEST_F(ReportMessages, WhyScansAreSkippedIsSaidOnce)
