@@ -55,7 +55,7 @@ void requireFreeVoxel(const InputMap& input, const ConvertOptions& options,
                       const ConversionParams& params)
 {
   if (params.reading.unknown == voxel::Unknown::Unknown && !voxel::hasFreeVoxel(input.source()))
-    throw std::runtime_error(options.input.file + ": " + kNoFreeVoxel);
+    throw std::runtime_error(shownName(options.input.file) + ": " + kNoFreeVoxel);
 }
 
 void warnAbout(const freespace::LayerStatistics& counts, const ConversionParams& params,

@@ -6,6 +6,7 @@
 #include <mrpt_mapconv/grid/LayerExport.h>
 #include <mrpt_mapconv/grid/OccupancyCell.h>
 #include <mrpt_mapconv/params/Require.h>
+#include <mrpt_mapconv/params/Text.h>
 #include <mrpt_mapconv/scan/ProfileSummary.h>
 
 #include <CLI/CLI.hpp>
@@ -52,6 +53,13 @@ std::string skippedText(const InsertionFigures& figures)
   return text;
 }
 
+/** The same for the summary, which does not repeat a warning. */
+std::string skippedLine(const InsertionFigures& figures)
+{
+  if (figures.unwantedSkips() == 0) return skippedText(figures);
+  return params::counted(figures.skips(), "scan") + ", see the warning";
+}
+
 Result resultOf(const ScanInserter& inserter, const std::string& file)
 {
   const auto occupancy = inserter.map().occupancy();
@@ -88,9 +96,9 @@ void insertAll(const std::vector<observation::PosedObservation>& scans, const st
 void warnOfSkips(const InsertionFigures& figures)
 {
   if (figures.unwantedSkips() == 0) return;
-  printWarning(std::to_string(figures.skips()) + " of " +
-               std::to_string(figures.skips() + figures.scans2D + figures.scans3D) +
-               " scans are skipped: " + skippedText(figures));
+  const std::size_t all = figures.skips() + figures.scans2D + figures.scans3D;
+  printWarning(std::to_string(figures.skips()) + " of " + params::counted(all, "scan") +
+               (figures.skips() == 1 ? " is" : " are") + " skipped: " + skippedText(figures));
 }
 
 /** Where the ceiling passes for walls in most scans, the rest is no map. */
@@ -106,10 +114,10 @@ void refuseCeilings(const InsertionFigures& figures, const std::string& file)
 void warnOf2D(const InsertionFigures& figures)
 {
   if (figures.scans2D == 0) return;
-  printWarning(std::to_string(figures.scans2D) +
-               " 2D scans were inserted as well: they free cells whose objects lie above or below "
-               "them, and nothing cuts their reflections; --no-2d (or insert2D = false in section "
-               "[scanInsertion] of an ini file) leaves them out");
+  printWarning(params::counted(figures.scans2D, "2D scan") + " inserted as well: " +
+               "cells whose objects lie above or below such a scan become free, and nothing cuts "
+               "reflections; --no-2d (or insert2D = false in section [scanInsertion] of an ini "
+               "file) leaves them out");
 }
 
 /** As MRPT's own class, which its programs read without this library; with the map's own cells. */
@@ -153,7 +161,7 @@ std::string textSummary(const SummaryHead& head, const Result& map, const ScanIn
   if (!changed.empty()) text += "not default  " + changed + "\n";
   text += mrpt::format("inserted     %zu 3D scans with %zu points, %zu 2D scans\n", figures.scans3D,
                        figures.points, figures.scans2D);
-  if (figures.skips() > 0) text += "skipped      " + skippedText(figures) + "\n";
+  if (figures.skips() > 0) text += "skipped      " + skippedLine(figures) + "\n";
   if (params.reflectionFilter)
     text += mrpt::format("walls        on %.1f %% of the azimuths, mean of the 3D scans\n",
                          100 * figures.meanWallShare());
@@ -181,21 +189,16 @@ std::string jsonSummary(const SummaryHead& head, const Result& map, const ScanIn
   return json.add("seconds", secondsJson(seconds)).text() + "\n";
 }
 
-void warnOfFlags(const ScanFlags& flags)
-{
-  if (!flags.structure.empty() && flags.noReflectionFilter)
-    printWarning("--structure has no effect: --no-reflection-filter looks for no walls");
-}
-
 int insert(const InsertOptions& options)
 {
-  warnOfFlags(options.flags);
   Job job;
-  const ScanSettings settings = readScanSettings(options.iniFile, options.flags);
+  NoEffect noEffect;
+  const ScanSettings settings = readScanSettings(options.iniFile, options.flags, noEffect);
   job.checkOutput(options.outputDir);
 
-  const ScanFile file =
-      job.stage("load", [&] { return read3DScans(options.file, options.log, job.progress()); });
+  const ScanFile file = job.stage(
+      "load", [&] { return read3DScans(options.file, options.log, noEffect, job.progress()); });
+  noEffect.warn();
   requireStructure(settings);
   ScanInserter inserter(settings);
   const std::string name = shownName(options.file);

@@ -15,6 +15,7 @@
 #include "input/PathOptions.h"
 #include "output/Console.h"
 #include "output/PathSummary.h"
+#include "output/Summary.h"
 
 namespace mapconv
 {
@@ -81,9 +82,9 @@ int lift(const LiftOptions& options)
   files::writeFile(file.stagingPath(), pathCsv(path));
   file.commit();
   JsonObject json = pathJson(path);
-  result.print(options.json ? json.add("output", options.outputFile).text() + "\n"
-                            : shownName(options.pathFile) + " -> " + options.outputFile + "\n" +
-                                  pathText(path));
+  result.print(options.json
+                   ? json.add("output", options.outputFile).text() + "\n"
+                   : fromTo(shownName(options.pathFile), options.outputFile) + pathText(path));
   return 0;
 }
 }  // namespace

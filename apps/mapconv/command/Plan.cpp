@@ -17,6 +17,7 @@
 #include "output/Job.h"
 #include "output/PathScene.h"
 #include "output/PathSummary.h"
+#include "output/Summary.h"
 
 namespace mapconv
 {
@@ -96,7 +97,7 @@ int plan(const PlanOptions& options)
             [&](files::OutputDir& out) { writeOutputs(options, map, way, out); });
   JsonObject json = pathJson(way.path);
   job.print(options.json ? json.add("output", options.outputFile).text() + "\n"
-                         : options.dir + " -> " + options.outputFile + "\n" + pathText(way.path));
+                         : fromTo(options.dir, options.outputFile) + pathText(way.path));
   return 0;
 }
 

@@ -87,7 +87,7 @@ int project(const ProjectOptions& options)
                 });
   if (countsOf(layer).free == 0 && reading.unknown == voxel::Unknown::Unknown &&
       !voxel::hasFreeVoxel(input.source()))
-    printWarning(options.input.file + ": " + kNoFreeVoxel);
+    printWarning(shownName(options.input.file) + ": " + kNoFreeVoxel);
   job.write(options.outputDir, [&](files::OutputDir& out) { writeOutputs(layer, options, out); });
   job.print(summary(options, input, layer, job.seconds()));
   return 0;

@@ -1,4 +1,5 @@
 #include <mrpt_mapconv/files/AtomicFile.h>
+#include <mrpt_mapconv/params/Printable.h>
 #include <mrpt_mapconv/sim/SampleMaps.h>
 #include <mrpt_mapconv/voxel/OctreeFile.h>
 #include <octomap/OcTree.h>
@@ -45,7 +46,8 @@ int makeSampleMap(const SampleMapOptions& options)
   voxel::writeOctreeFile(file.stagingPath(), *tree, "made by mapconv sample-map");
   file.commit();
   progress.reset();
-  result.print(options.file + ": " + std::to_string(tree->getNumLeafNodes()) + " leaves\n");
+  result.print(params::printable(options.file) + ": " + std::to_string(tree->getNumLeafNodes()) +
+               " leaves\n");
   return 0;
 }
 }  // namespace

@@ -11,6 +11,7 @@
 #include "command/Command.h"
 #include "output/Job.h"
 #include "output/Json.h"
+#include "output/Summary.h"
 
 namespace mapconv
 {
@@ -40,11 +41,12 @@ std::string summaryText(const SimulateOptions& options, const sim::SimulationSum
                         double seconds)
 {
   if (!options.json)
-    return mrpt::format(
-        "%s -> %s\nrun          %.1f s, %.1f m, %zu scans, %zu key frames, %zu 3D returns\n"
-        "seconds      %.1f\n",
-        options.worldFile.c_str(), options.outputDir.c_str(), summary.seconds, summary.way,
-        summary.scans, summary.keyFrames, summary.returns3D, seconds);
+    return fromTo(options.worldFile, options.outputDir) +
+           mrpt::format(
+               "run          %.1f s, %.1f m, %zu scans, %zu key frames, %zu 3D returns\n"
+               "seconds      %.1f\n",
+               summary.seconds, summary.way, summary.scans, summary.keyFrames, summary.returns3D,
+               seconds);
   JsonObject json;
   json.add("world", options.worldFile).add("output", options.outputDir).add("seed", options.seed);
   json.add("duration", summary.seconds).add("way", summary.way).add("scans", summary.scans);

@@ -4,7 +4,6 @@
 #include <mrpt_mapconv/params/Require.h>
 
 #include <algorithm>
-#include <map>
 #include <stdexcept>
 
 #include "output/Console.h"
@@ -41,22 +40,6 @@ std::string complaintAbout(const std::string& name, const std::vector<IniSection
     return "section [" + name + "] is now called [" + section.name + "]; the old name still works";
   }
   return "unknown section [" + name + "] has no effect; " + listOf(sections) + " do";
-}
-
-/** The keys of a section that have other values than by default. */
-template <class Options>
-std::vector<std::string> changedKeys(const params::StrictSection& section, const Options& options)
-{
-  std::map<std::string, std::string> defaults;
-  params::forEachText(
-      Options(), [&defaults](const char* key, const std::string& text) { defaults[key] = text; });
-  std::vector<std::string> keys;
-  params::forEachText(options,
-                      [&](const char* key, const std::string& text)
-                      {
-                        if (section.has(key) && text != defaults[key]) keys.emplace_back(key);
-                      });
-  return keys;
 }
 
 /** Reads one section into `options`, which must be valid in the end.

@@ -5,6 +5,7 @@
 #include <mrpt_mapconv/params/StrictSection.h>
 #include <mrpt_mapconv/voxel/VoxelInsertionOptions.h>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -30,6 +31,24 @@ mrpt::config::CConfigFileMemory openIni(const std::string& path,
 std::string nameIn(const mrpt::config::CConfigFileBase& ini, const IniSection& section);
 /** Warns about keys that nobody has read, naming the file. */
 void warnUnknownKeys(const mrpt_mapconv::params::StrictSection& section, const std::string& path);
+
+/** The keys of a section that have other values than by default. */
+template <class Options>
+std::vector<std::string> changedKeys(const mrpt_mapconv::params::StrictSection& section,
+                                     const Options& options)
+{
+  std::map<std::string, std::string> defaults;
+  mrpt_mapconv::params::forEachText(
+      Options(), [&defaults](const char* key, const std::string& text) { defaults[key] = text; });
+  std::vector<std::string> keys;
+  mrpt_mapconv::params::forEachText(options,
+                                    [&](const char* key, const std::string& text)
+                                    {
+                                      if (section.has(key) && text != defaults[key])
+                                        keys.emplace_back(key);
+                                    });
+  return keys;
+}
 
 /** What the ini file and the flags of `convert` and `project` may set. */
 struct IniOptions

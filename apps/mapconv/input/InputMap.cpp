@@ -3,6 +3,7 @@
 #include <mrpt_mapconv/files/ObjectFile.h>
 #include <mrpt_mapconv/maps/OctoMapAccess.h>
 #include <mrpt_mapconv/params/Require.h>
+#include <mrpt_mapconv/params/Text.h>
 #include <mrpt_mapconv/voxel/LeafProbabilities.h>
 #include <mrpt_mapconv/voxel/OcTreeCopy.h>
 #include <mrpt_mapconv/voxel/OctreeFile.h>
@@ -57,9 +58,19 @@ std::unique_ptr<octomap::OcTree> buildTree(const std::vector<observation::PosedO
     throw std::runtime_error(shownName(request.file) + ": " + params::oneLine(error));
   }
   if (tree->size() == 0)
-    throw std::runtime_error(shownName(request.file) + ": none of its " +
-                             std::to_string(scans.size()) + " scans has a usable point");
+    throw std::runtime_error(shownName(request.file) + ": no usable point in " +
+                             params::counted(scans.size(), "scan"));
   return tree;
+}
+/** Of 2D scans little can be known, and nothing if they are left out. */
+void checkDimensions(const std::vector<observation::PosedObservation>& scans,
+                     const std::string& name, const InputRequest& request)
+{
+  if (observation::has3DScan(scans)) return;
+  if (!request.insertion.insert2D)
+    throw std::runtime_error(name + ": all of its scans are 2D, and insert2D = false of " +
+                             request.iniFile + " leaves them out");
+  printWarning(name + ": all of its scans are 2D, so only what lies at their heights is known");
 }
 }  // namespace
 
@@ -148,6 +159,7 @@ void InputMap::buildFromScans(files::ObjectFile& log, LogKind kind, const InputR
                               Progress& progress)
 {
   const ScanFile file = readScans(log, kind, request.log, m_noEffect);
+  checkDimensions(file.scans, log.path(), request);
   progress.stage("inserting the scans of " + log.path());
   m_ownTree = buildTree(file.scans, request, progress);
   useTree(*m_ownTree);

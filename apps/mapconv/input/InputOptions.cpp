@@ -62,11 +62,17 @@ void addPoseOptions(CLI::App& app, observation::RawlogOptions& options)
 {
   app.add_flag("--static", options.staticSensor,
                "the sensor of the rawlog stood still: needs no poses");
-  app.add_option(
-         "--pose-source", options.poseSource,
-         "label of the rawlog's observations that poses come from, default: robot poses, else "
-         "odometry, of those labelled alike that are most")
+  app.add_option_function<std::string>(
+         "--pose-source", [&options](const std::string& label) { options.poseSource = label; },
+         "where poses are taken from: a label in the rawlog, or robotPose, odometry or increments; "
+         "default: the first of these three that it has, under the label with the most poses")
       ->type_name("LABEL");
+  app.add_option("--max-pose-gap", options.maxPoseGap,
+                 "a scan between two poses is left out if one is farther from it in time [s], "
+                 "default " +
+                     params::textOf(options.maxPoseGap))
+      ->check(isNotNegative())
+      ->type_name("S");
 }
 
 void addInputOptions(CLI::App& app, InputOptions& options)

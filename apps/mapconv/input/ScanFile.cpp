@@ -4,10 +4,9 @@
 #include <mrpt/obs/CActionCollection.h>
 #include <mrpt/obs/CRawlog.h>
 #include <mrpt/obs/CSensoryFrame.h>
-#include <mrpt_mapconv/observation/ObservationPoints.h>
+#include <mrpt_mapconv/params/Text.h>
 #include <mrpt_mapconv/voxel/OctreeFile.h>
 
-#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -32,7 +31,7 @@ bool isRawlogEntry(const CSerializable& object)
 
 std::string describe(const std::string& kind, const std::vector<PosedObservation>& scans)
 {
-  return kind + " (" + std::to_string(scans.size()) + (scans.size() == 1 ? " scan)" : " scans)");
+  return kind + " (" + params::counted(scans.size(), "scan") + ")";
 }
 
 files::ObjectFile openLog(const std::string& path)
@@ -61,31 +60,35 @@ std::optional<LogKind> logKindOf(const CSerializable& object)
   return std::nullopt;
 }
 
+namespace
+{
+/** Those of the options that say which poses are used, and that are not the default. */
+std::vector<std::string> poseOptions(const observation::RawlogOptions& options)
+{
+  std::vector<std::string> given;
+  if (options.poseSource) given.emplace_back("--pose-source");
+  if (options.maxPoseGap != observation::RawlogOptions().maxPoseGap)
+    given.emplace_back("--max-pose-gap");
+  return given;
+}
+}  // namespace
+
 void noteRawlogOptions(const observation::RawlogOptions& options, const std::string& path,
                        NoEffect& noEffect)
 {
-  std::vector<std::string> given;
-  if (options.staticSensor) given.emplace_back("--static");
-  if (!options.poseSource.empty()) given.emplace_back("--pose-source");
+  auto given = poseOptions(options);
+  if (options.staticSensor) given.insert(given.begin(), "--static");
   noEffect.add(given, path + " is no rawlog");
 }
 
-namespace
-{
-bool has3DScan(const std::vector<PosedObservation>& scans)
-{
-  return std::any_of(scans.begin(), scans.end(),
-                     [](const PosedObservation& s)
-                     { return observation::is3DScan(*s.observation); });
-}
-
-ScanFile readLog(files::ObjectFile& log, LogKind kind, const observation::RawlogOptions& options,
-                 NoEffect& noEffect)
+ScanFile readScans(files::ObjectFile& log, LogKind kind, const observation::RawlogOptions& options,
+                   NoEffect& noEffect)
 {
   const ConsoleLog console;
   ScanFile file;
   if (kind == LogKind::Rawlog)
   {
+    if (options.staticSensor) noEffect.add(poseOptions(options), "--static needs no poses");
     file.scans = observation::readRawlog(log, options, &console);
     file.description = describe("rawlog", file.scans);
     return file;
@@ -96,29 +99,15 @@ ScanFile readLog(files::ObjectFile& log, LogKind kind, const observation::Rawlog
   return file;
 }
 
-}  // namespace
-
-ScanFile readScans(files::ObjectFile& log, LogKind kind, const observation::RawlogOptions& options,
-                   NoEffect& noEffect)
-{
-  ScanFile file = readLog(log, kind, options, noEffect);
-  if (!has3DScan(file.scans))
-    printWarning(log.path() +
-                 ": all of its scans are 2D, so only what lies at their heights is known");
-  return file;
-}
-
 ScanFile read3DScans(const std::string& path, const observation::RawlogOptions& options,
-                     Progress& progress)
+                     NoEffect& noEffect, Progress& progress)
 {
   progress.stage("reading " + shownName(path));
   files::ObjectFile log = openLog(path);
-  NoEffect noEffect;
-  ScanFile file = readLog(log, logKindIn(log), options, noEffect);
-  noEffect.warn();
-  if (!has3DScan(file.scans))
-    throw std::runtime_error(log.path() + ": none of its " + std::to_string(file.scans.size()) +
-                             " scans is a 3D scan; mapconv convert takes 2D scans, too");
+  ScanFile file = readScans(log, logKindIn(log), options, noEffect);
+  if (!observation::has3DScan(file.scans))
+    throw std::runtime_error(log.path() + ": holds " + params::counted(file.scans.size(), "scan") +
+                             ", but no 3D scan; mapconv convert takes 2D scans, too");
   return file;
 }
 

@@ -41,10 +41,11 @@ void noteRawlogOptions(const mrpt_mapconv::observation::RawlogOptions& options,
 ScanFile readScans(mrpt_mapconv::files::ObjectFile& log, LogKind kind,
                    const mrpt_mapconv::observation::RawlogOptions& options, NoEffect& noEffect);
 
-/** The same, warning also of options that have no effect, for a file that has to hold 3D scans.
+/** The same of a file that has to hold 3D scans.
  * \param path "-": what is piped in \exception std::runtime_error likewise, also if it holds
  * something else or only 2D scans */
 ScanFile read3DScans(const std::string& path,
-                     const mrpt_mapconv::observation::RawlogOptions& options, Progress& progress);
+                     const mrpt_mapconv::observation::RawlogOptions& options, NoEffect& noEffect,
+                     Progress& progress);
 
 }  // namespace mapconv

@@ -46,7 +46,7 @@ ScanInserter::ScanInserter(const ScanSettings& settings)
   m_map.maxGridCells = settings.grid.maxGridCells;
   m_map.scanInsertionOptions = settings.insertion;
   m_map.insertionOptions = settings.insertion2D;
-  takeWarningsOf(m_map.log());
+  takeWarningsOf(m_map.log(), [this] { return m_map.lastSkip().empty(); });
 }
 
 void ScanInserter::insert(const PosedObservation& scan)

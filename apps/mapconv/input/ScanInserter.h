@@ -36,11 +36,14 @@ struct InsertionFigures
   double meanWallShare() const;
 };
 
-/** Inserts scans into a map one after another, and keeps account of it. */
+/** Inserts scans into a map one after another, and keeps account of it. The map's warnings are
+ * printed, but for those of skipped scans, which the account sums up. */
 class ScanInserter
 {
  public:
   explicit ScanInserter(const ScanSettings& settings);
+  ScanInserter(const ScanInserter&) = delete;
+  ScanInserter& operator=(const ScanInserter&) = delete;
 
   /** \exception std::exception for bad options, damaged scans and a grid that would be too large */
   void insert(const mrpt_mapconv::observation::PosedObservation& scan);

@@ -89,6 +89,33 @@ catch (const std::exception& error)
   throw std::runtime_error(path + ": " + params::oneLine(error));
 }
 
+/** Notes what is said of walls though none are looked for, and of 2D scans that are left out.
+ * \param section of the file, without what flags say */
+void noteUnused(const ScanSettings& settings, const StrictSection& section,
+                const std::string& iniFile, const ScanFlags& flags, NoEffect& noEffect)
+{
+  const auto because = [&iniFile](bool flag, const std::string& name, const std::string& key)
+  { return flag ? name : key + " = false of " + iniFile; };
+  if (!settings.insertion.profile.reflectionFilter && !settings.lacksStructure)
+  {
+    const std::string why =
+        because(flags.noReflectionFilter, "--no-reflection-filter", "reflectionFilter") +
+        " looks for no walls";
+    auto keys = changedKeys(section, settings.insertion.profile);
+    const auto isUsed = [&flags](const std::string& key)
+    {
+      const bool replaced = !flags.structure.empty() && key.back() == 'Z';
+      return key.compare(0, 9, "structure") != 0 || replaced;
+    };
+    keys.erase(std::remove_if(keys.begin(), keys.end(), isUsed), keys.end());
+    if (!flags.structure.empty()) noEffect.add({"--structure"}, why);
+    noEffect.addKeys(keys, iniFile, why);
+  }
+  if (!settings.insertion.insert2D)
+    noEffect.addKeys(changedKeys(section, settings.insertion2D), iniFile,
+                     because(flags.no2D, "--no-2d", "insert2D") + " leaves 2D scans out");
+}
+
 /** Where a value comes from, for people. */
 template <class Params>
 std::string originOf(const FieldFlags<Params>& flags, const StrictSection& section,
@@ -128,12 +155,15 @@ std::vector<std::pair<std::string, std::string>> textsOf(const ScanSettings& set
 }
 }  // namespace
 
-ScanSettings readScanSettings(const std::string& iniFile, const ScanFlags& flags)
+ScanSettings readScanSettings(const std::string& iniFile, const ScanFlags& flags,
+                              NoEffect& noEffect)
 {
-  CConfigFileMemory ini = openIni(iniFile, {kInsertion, kMap});
+  const CConfigFileMemory file = openIni(iniFile, {kInsertion, kMap});
+  CConfigFileMemory ini(file.getContent());
   write(flags, ini);
   const ScanSettings settings = readNaming(iniFile.empty() ? "the options" : iniFile, ini);
   checkReach(settings, ini, iniFile, flags);
+  noteUnused(settings, {file, nameIn(file, kInsertion)}, iniFile, flags, noEffect);
   return settings;
 }
 

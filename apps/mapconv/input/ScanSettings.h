@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "input/FieldFlags.h"
+#include "input/NoEffect.h"
 #include "output/Json.h"
 
 namespace mapconv
@@ -32,10 +33,12 @@ struct ScanSettings
 /** Reads sections [map] and [scanInsertion] of an ini file, in which flags replace what they stand
  * for; what is in neither keeps its default. Warns about sections and keys that mean nothing here.
  * \param iniFile empty: none
+ * \param noEffect gets what means something, but not with the rest of the settings
  * \exception UsageError if flags contradict each other, or if the resolution that a flag gives is
  * too fine for maxRange \exception std::runtime_error as readIni(), and if the resolution is too
  * fine for maxRange */
-ScanSettings readScanSettings(const std::string& iniFile, const ScanFlags& flags);
+ScanSettings readScanSettings(const std::string& iniFile, const ScanFlags& flags,
+                              NoEffect& noEffect);
 
 /** To be asked once it is known that there are 3D scans.
  * \exception UsageError if the reflection filter has no structure slice */

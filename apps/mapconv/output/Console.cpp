@@ -86,14 +86,15 @@ bool messagesOnTerminal() { return ::isatty(messageFile()) != 0; }
 void printError(const std::string& text) { printLine("error", text); }
 void printWarning(const std::string& text) { printLine("warning", text); }
 
-void takeWarningsOf(mrpt::system::COutputLogger& log)
+void takeWarningsOf(mrpt::system::COutputLogger& log, const std::function<bool()>& wanted)
 {
   log.logging_enable_console_output = false;
   log.logRegisterCallback(
-      [](std::string_view text, mrpt::system::VerbosityLevel level, std::string_view,
-         mrpt::Clock::time_point)
+      [wanted](std::string_view text, mrpt::system::VerbosityLevel level, std::string_view,
+               mrpt::Clock::time_point)
       {
-        if (level >= mrpt::system::LVL_WARN) printWarning(std::string(text));
+        if (level >= mrpt::system::LVL_WARN && (!wanted || wanted()))
+          printWarning(std::string(text));
       });
 }
 

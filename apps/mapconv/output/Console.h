@@ -2,6 +2,7 @@
 
 #include <mrpt/system/COutputLogger.h>
 
+#include <functional>
 #include <string>
 
 namespace mapconv
@@ -11,8 +12,9 @@ void printError(const std::string& text);
 /** Prints "mapconv: warning: …" as one line on stderr. */
 void printWarning(const std::string& text);
 
-/** Makes a logger's warnings ours, and its own console output silent. */
-void takeWarningsOf(mrpt::system::COutputLogger& log);
+/** Makes a logger's warnings ours, and its own console output silent.
+ * \param wanted asked at each warning whether it is to be printed; none: all are */
+void takeWarningsOf(mrpt::system::COutputLogger& log, const std::function<bool()>& wanted = {});
 
 /** Where the library logs to: its warnings become ours. */
 class ConsoleLog : public mrpt::system::COutputLogger

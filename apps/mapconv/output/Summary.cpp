@@ -2,6 +2,7 @@
 
 #include <mrpt/core/format.h>
 #include <mrpt_mapconv/grid/OccupancyCell.h>
+#include <mrpt_mapconv/params/Printable.h>
 
 namespace mapconv
 {
@@ -21,7 +22,7 @@ OccupancyCounts countsOf(const grid::Layer<float>& occupancy)
 std::string headText(const SummaryHead& head)
 {
   const GridFrame& frame = head.frame;
-  std::string text = head.input + ", " + head.inputKind + " -> " + head.outputDir + "\n";
+  std::string text = fromTo(head.input + ", " + head.inputKind, head.outputDir);
   text += mrpt::format("cells        %zu (%d x %d) of %s m\n", frame.size(), frame.width,
                        frame.height, jsonNumber(frame.resolution).c_str());
   text += mrpt::format("size         %.2f x %.2f m: x %.2f to %.2f, y %.2f to %.2f\n",
@@ -37,6 +38,12 @@ std::string countsText(const std::string& label, const OccupancyCounts& counts)
   return mrpt::format("%-12s %zu free (%.1f %%), %zu occupied (%.1f %%), %zu unknown (%.1f %%)\n",
                       label.c_str(), counts.free, percent(counts.free), counts.occupied,
                       percent(counts.occupied), counts.unknown, percent(counts.unknown));
+}
+
+std::string fromTo(const std::string& from, const std::string& to)
+{
+  using mrpt_mapconv::params::printable;
+  return printable(from) + " -> " + printable(to) + "\n";
 }
 
 std::string secondsText(const Seconds& seconds)

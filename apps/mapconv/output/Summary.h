@@ -30,6 +30,9 @@ std::string headText(const SummaryHead& head);
  */
 std::string countsText(const std::string& label, const OccupancyCounts& counts);
 /** The last line: the stages and how long they took. */
+/** "FROM -> TO": one line, whatever the names of files hold. */
+std::string fromTo(const std::string& from, const std::string& to);
+
 std::string secondsText(const Seconds& seconds);
 
 /** The JSON object with what every summary has. */

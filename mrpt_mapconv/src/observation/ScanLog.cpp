@@ -1,9 +1,5 @@
 #include <mrpt/maps/CSimpleMap.h>
 #include <mrpt/obs/CActionCollection.h>
-#include <mrpt/obs/CActionRobotMovement2D.h>
-#include <mrpt/obs/CActionRobotMovement3D.h>
-#include <mrpt/obs/CObservationOdometry.h>
-#include <mrpt/obs/CObservationRobotPose.h>
 #include <mrpt/obs/CRawlog.h>
 #include <mrpt/obs/CSensoryFrame.h>
 #include <mrpt_mapconv/observation/ExternalFiles.h>
@@ -11,11 +7,13 @@
 #include <mrpt_mapconv/observation/ObservationPoints.h>
 #include <mrpt_mapconv/observation/PoseTrack.h>
 #include <mrpt_mapconv/observation/ScanLog.h>
+#include <mrpt_mapconv/params/Text.h>
 
 #include <algorithm>
-#include <map>
-#include <optional>
 #include <stdexcept>
+
+#include "LeftOut.h"
+#include "PoseSources.h"
 
 namespace mrpt_mapconv::observation
 {
@@ -35,61 +33,6 @@ void warn(const COutputLogger* log, const std::string& text)
 
 std::string className(const CSerializable& object) { return object.GetRuntimeClass()->className; }
 
-/** The increment that a collection of actions stands for; nothing if it holds no movement. */
-std::optional<CPose3D> movement(const CActionCollection& actions)
-{
-  using mrpt::obs::CActionRobotMovement2D;
-  using mrpt::obs::CActionRobotMovement3D;
-  if (const auto move = actions.getActionByClass<CActionRobotMovement3D>())
-    return move->poseChange.mean;
-  if (const auto move = actions.getActionByClass<CActionRobotMovement2D>())
-  {
-    if (move->estimationMethod == CActionRobotMovement2D::emOdometry)
-      return CPose3D(move->rawOdometryIncrementReading);
-    if (move->poseChange) return CPose3D(move->poseChange->getMeanVal());
-  }
-  return std::nullopt;
-}
-
-using Tracks = std::map<std::string, PoseTrack>;  //!< by the label of their source
-
-/** Why scans have no pose. */
-class LeftOut
-{
- public:
-  void add(const PoseTrack& track, mrpt::system::TTimeStamp time, double maxGap)
-  {
-    const auto coverage = track.coverage(time, maxGap);
-    m_noTime += coverage == PoseTrack::Coverage::NoTime;
-    m_outside += coverage == PoseTrack::Coverage::Outside;
-    if (coverage != PoseTrack::Coverage::Gap) return;
-    ++m_inGaps;
-    m_longestGap = std::max(m_longestGap, track.gapAt(time));
-  }
-
-  std::string reasons(double maxGap) const
-  {
-    std::string text;
-    const auto append = [&text](std::size_t count, const std::string& why)
-    {
-      if (count == 0) return;
-      text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + why;
-    };
-    append(
-        m_inGaps,
-        mrpt::format("in gaps between the poses (the longest is %.1f s; both poses around a scan "
-                     "must be within %g s of it)",
-                     m_longestGap, maxGap));
-    append(m_outside, "outside the time span of the poses");
-    append(m_noTime, "without a time stamp");
-    return text;
-  }
-
- private:
-  std::size_t m_inGaps = 0, m_outside = 0, m_noTime = 0;
-  double m_longestGap = 0;
-};
-
 /** The parts of a rawlog that matter here. */
 class Log
 {
@@ -100,7 +43,7 @@ class Log
   void add(const CSerializable::Ptr& entry)
   {
     if (const auto actions = std::dynamic_pointer_cast<CActionCollection>(entry))
-      add(*actions);
+      m_poses.add(*actions);
     else if (const auto frame = std::dynamic_pointer_cast<CSensoryFrame>(entry))
       for (const auto& obs : *frame) add(obs);
     else if (const auto obs = std::dynamic_pointer_cast<CObservation>(entry))
@@ -117,7 +60,17 @@ class Log
     const auto is3D = [](const PosedObservation& s) { return is3DScan(*s.observation); };
     return static_cast<std::size_t>(std::count_if(m_scans.begin(), m_scans.end(), is3D));
   }
-  bool hasPoses() const { return m_hasMoved || !m_robotPoses.empty() || !m_odometry.empty(); }
+  /** Whether no scan, or no 3D scan, says when it was taken. */
+  bool lacksTimes(bool only3D) const
+  {
+    const auto isTimed = [only3D](const PosedObservation& scan)
+    {
+      return scan.observation->timestamp != INVALID_TIMESTAMP &&
+             (!only3D || is3DScan(*scan.observation));
+    };
+    return std::none_of(m_scans.begin(), m_scans.end(), isTimed);
+  }
+  const PoseSources& poses() const { return m_poses; }
 
   std::vector<PosedObservation> atIdentity() const
   {
@@ -131,126 +84,59 @@ class Log
     for (const auto& scan : m_scans)
       if (is3DScan(*scan.observation)) scans.push_back({scan.observation, CPose3D()});
     if (const auto lost = m_scans.size() - scans.size(); lost > 0)
-      warn(m_log, std::to_string(lost) + " 2D scans are left out: the log has no poses for them");
+      warn(m_log, params::counted(lost, "2D scan") + (lost == 1 ? " is" : " are") +
+                      " left out: the log has no poses for them");
     return scans;
   }
 
-  /** The scans whose pose is known. */
-  std::vector<PosedObservation> posed(const RawlogOptions& options) const
+  /** The scans whose pose is known. \param lost gets those whose pose is not */
+  std::vector<PosedObservation> posed(const RawlogOptions& options, LeftOut& lost) const
   {
-    const double maxGap = options.maxPoseGap;
-    if (m_badPoses > 0)
-      warn(m_log, std::to_string(m_badPoses) +
-                      " poses without a time or with NaN or infinite coordinates are left out");
-    if (!options.poseSource.empty()) return along(labelled(options.poseSource), maxGap);
-    if (!m_robotPoses.empty()) return along(longest(m_robotPoses), maxGap);
-    if (!m_odometry.empty()) return along(longest(m_odometry), maxGap);
-    return m_scans;
+    const PoseTrack* track = m_poses.choose(options.poseSource, m_log);
+    if (!track) return m_scans;
+    std::vector<PosedObservation> out;
+    for (const auto& scan : m_scans)
+      if (const auto pose = track->at(scan.observation->timestamp, options.maxPoseGap))
+        out.push_back({scan.observation, *pose});
+      else
+        lost.add(*track, scan.observation->timestamp);
+    return out;
+  }
+
+  void warnOf(const LeftOut& lost) const
+  {
+    if (lost.count() > 0)
+      warn(m_log, std::to_string(lost.count()) + " of " + params::counted(m_scans.size(), "scan") +
+                      (lost.count() == 1 ? " is" : " are") + " left out: " + lost.reasons() +
+                      lost.remedy());
+  }
+  void warnOfFaultyPoses() const
+  {
+    if (const auto faults = m_poses.faults(); !faults.empty())
+      warn(m_log, "poses are left out: " + faults);
   }
 
   /** Class of the last object that is no entry of a rawlog; empty if there was none. */
   const std::string& foreign() const { return m_foreign; }
 
  private:
-  void add(const CActionCollection& actions)
-  {
-    const auto increment = movement(actions);
-    if (!increment) return;
-    if (!isFinite(*increment))
-    {
-      ++m_badPoses;
-      return;
-    }
-    m_summedUp = m_summedUp + *increment;
-    m_hasMoved = true;
-  }
-
   void add(const CObservation::Ptr& obs)
   {
-    if (!obs) return;
-    if (const auto pose = std::dynamic_pointer_cast<mrpt::obs::CObservationRobotPose>(obs))
-      add(m_robotPoses, *obs, pose->pose.mean + (-pose->sensorPose));
-    else if (const auto odo = std::dynamic_pointer_cast<mrpt::obs::CObservationOdometry>(obs))
-      add(m_odometry, *obs, CPose3D(odo->odometry));
-    else if (isScan(*obs))
-      m_scans.push_back({obs, m_summedUp});
-  }
-
-  void add(Tracks& tracks, const CObservation& obs, const CPose3D& pose)
-  {
-    if (tracks[obs.sensorLabel].insert(obs.timestamp, pose)) return;
-    ++m_badPoses;
-    if (tracks[obs.sensorLabel].empty()) tracks.erase(obs.sensorLabel);
-  }
-
-  const PoseTrack& longest(const Tracks& tracks) const
-  {
-    const auto shorter = [](const auto& a, const auto& b)
-    { return a.second.size() < b.second.size(); };
-    const auto most = std::max_element(tracks.begin(), tracks.end(), shorter);
-    if (m_robotPoses.size() + m_odometry.size() > 1)
-      warn(m_log, "poses come from several sources: " + sources() + "; those of '" + most->first +
-                      "' are used (--pose-source LABEL chooses others)");
-    return most->second;
-  }
-
-  /** The track with a label. */
-  const PoseTrack& labelled(const std::string& label) const
-  {
-    for (const auto* tracks : {&m_robotPoses, &m_odometry})
-      if (const auto track = tracks->find(label); track != tracks->end()) return track->second;
-    throw std::runtime_error("no poses are labelled '" + label + "'; there are: " +
-                             (sources().empty() ? std::string("none") : sources()));
-  }
-
-  /** Their labels and how many poses each has. */
-  std::string sources() const
-  {
-    std::string text;
-    for (const auto* tracks : {&m_robotPoses, &m_odometry})
-      for (const auto& [label, track] : *tracks)
-        text += (text.empty() ? "'" : ", '") + label + "' (" + std::to_string(track.size()) +
-                (tracks == &m_odometry ? " of odometry)" : ")");
-    return text;
-  }
-
-  std::vector<PosedObservation> along(const PoseTrack& track, double maxGap) const
-  {
-    std::vector<PosedObservation> out;
-    LeftOut lost;
-    for (const auto& scan : m_scans)
-      if (const auto pose = track.at(scan.observation->timestamp, maxGap))
-        out.push_back({scan.observation, *pose});
-      else
-        lost.add(track, scan.observation->timestamp, maxGap);
-    if (out.size() < m_scans.size())
-      warn(m_log, std::to_string(m_scans.size() - out.size()) + " of " +
-                      std::to_string(m_scans.size()) +
-                      " scans are left out: " + lost.reasons(maxGap));
-    return out;
+    if (obs && !m_poses.add(*obs) && isScan(*obs)) m_scans.push_back({obs, m_poses.summedUp()});
   }
 
   const COutputLogger* m_log;
   std::vector<PosedObservation> m_scans;  //!< at the poses that the actions give
-  Tracks m_robotPoses, m_odometry;
-  CPose3D m_summedUp;
-  bool m_hasMoved = false;
+  PoseSources m_poses;
   std::string m_foreign;
-  std::size_t m_badPoses = 0;
 };
-
-bool has3DScan(const std::vector<PosedObservation>& scans)
-{
-  return std::any_of(scans.begin(), scans.end(),
-                     [](const PosedObservation& s) { return is3DScan(*s.observation); });
-}
 
 /** Errors name the file. */
 std::vector<PosedObservation> posedScans(const Log& log, const RawlogOptions& options,
-                                         const std::string& path)
+                                         const std::string& path, LeftOut& lost)
 try
 {
-  return log.posed(options);
+  return log.posed(options, lost);
 }
 catch (const std::runtime_error& error)
 {
@@ -276,6 +162,12 @@ Log readLog(files::ObjectFile& file, const COutputLogger* logger)
 }
 
 }  // namespace
+
+bool has3DScan(const std::vector<PosedObservation>& scans)
+{
+  return std::any_of(scans.begin(), scans.end(),
+                     [](const PosedObservation& s) { return is3DScan(*s.observation); });
+}
 
 std::vector<PosedObservation> readSimpleMap(const std::string& path, const COutputLogger* log)
 {
@@ -304,8 +196,9 @@ std::vector<PosedObservation> readSimpleMap(files::ObjectFile& file, const COutp
       if (obs && isScan(*obs)) scans.push_back({obs, pose->getMeanVal()});
   }
   if (skipped > 0)
-    warn(log, path + ": " + std::to_string(skipped) + " of " + std::to_string(map->size()) +
-                  " keyframes are left out: they have no observations or no finite pose");
+    warn(log, path + ": " + std::to_string(skipped) + " of " +
+                  params::counted(map->size(), "keyframe") +
+                  " left out: no observations or no finite pose");
   if (scans.empty()) throw std::runtime_error(path + ": no scans in this simplemap");
   findExternalFiles(scans, path, log);
   return scans;
@@ -313,27 +206,51 @@ std::vector<PosedObservation> readSimpleMap(files::ObjectFile& file, const COutp
 
 namespace
 {
+constexpr const char* kOrStatic = " (if the sensor stood still, say so: --static)";
+
+/** Of a log without poses a single scan is of use. */
+std::vector<PosedObservation> scansWithoutPoses(const Log& log, const std::string& path)
+{
+  const std::string faults = log.poses().faults();
+  if (log.scans() > 1 && log.scans3D() != 1)
+    throw std::runtime_error(
+        path + ": " + std::to_string(log.scans()) + " scans but no " +
+        (faults.empty() ? "robot poses and no odometry" : "pose that is of use, only " + faults) +
+        kOrStatic);
+  log.warnOfFaultyPoses();
+  return log.scans() == 1 ? log.atIdentity() : log.only3DAtIdentity();
+}
+
+/** Why no scan, or no 3D scan if there are any, has a pose. */
+std::string whyNoneIsPosed(const Log& log, const LeftOut& lost, double maxGap)
+{
+  const bool only3D = log.scans3D() > 0;
+  const std::size_t wanted = only3D ? log.scans3D() : log.scans();
+  const std::string kind = wanted == log.scans() ? "scan" : "3D scan";
+  if (log.lacksTimes(only3D))
+    return (wanted == 1 ? "its " + kind + " has"
+                        : "all " + params::counted(wanted, kind) + " have") +
+           " no time stamp" + kOrStatic;
+  return std::string("no ") + (only3D ? "3D" : "2D") +
+         " scan lies within the time span of the poses, give or take " +
+         mrpt::format("%g s, and within %g s of both poses around it (--max-pose-gap): ",
+                      PoseTrack::kTolerance, maxGap) +
+         lost.reasons();
+}
+
 /** The scans whose pose is known. Errors name the file. */
 std::vector<PosedObservation> scansOf(const Log& log, const RawlogOptions& options,
                                       const std::string& path)
 {
   requireScans(log, path);
   if (options.staticSensor) return log.atIdentity();
-  const std::string kind = log.scans3D() > 0 ? "3D scan" : "2D scan";
-  if (!log.hasPoses())
-  {
-    if (log.scans() == 1) return log.atIdentity();
-    if (log.scans3D() == 1) return log.only3DAtIdentity();
-    throw std::runtime_error(
-        path + ": " + std::to_string(log.scans3D() > 0 ? log.scans3D() : log.scans()) + " " + kind +
-        "s but no robot poses and no odometry (if the sensor stood still, say so: --static)");
-  }
-  auto scans = posedScans(log, options, path);
+  if (log.poses().empty()) return scansWithoutPoses(log, path);
+  log.warnOfFaultyPoses();
+  LeftOut lost(options.maxPoseGap);
+  auto scans = posedScans(log, options, path, lost);
   if (scans.empty() || (log.scans3D() > 0 && !has3DScan(scans)))
-    throw std::runtime_error(path + ": no " + kind +
-                             " lies within the time span of the poses, give or take " +
-                             mrpt::format("%.1f s, and within %g s of both poses around it",
-                                          PoseTrack::kTolerance, options.maxPoseGap));
+    throw std::runtime_error(path + ": " + whyNoneIsPosed(log, lost, options.maxPoseGap));
+  log.warnOf(lost);
   return scans;
 }
 }  // namespace

@@ -17,13 +17,6 @@ namespace fs = std::filesystem;
 
 namespace
 {
-std::string lastLine(const std::string& text)
-{
-  const auto end = text.find_last_not_of('\n');
-  const auto before = end == std::string::npos ? end : text.rfind('\n', end);
-  return before == std::string::npos ? text : text.substr(before + 1);
-}
-
 std::map<std::string, std::string> filesIn(const std::string& dir)
 {
   std::map<std::string, std::string> files;
@@ -45,7 +38,6 @@ struct BadFile
   std::string name;
   std::function<void(const std::string& path)> make;
   std::string word;
-  int warnings = 0;  //!< before the error
 };
 
 std::vector<BadFile> badFiles()
@@ -63,7 +55,7 @@ std::vector<BadFile> badFiles()
       {"octree.bt", [](const std::string& path) { HandMap::write(path); }, "octree"},
       {"octree.rawlog", [](const std::string& path) { HandMap::write(path); }, "octree"},
       {"a.gridmap", objects({COccupancyGridMap2D::Create()}), "COccupancyGridMap2D"},
-      {"2d.rawlog", objects({robotAt(0, 0), scan2D(0)}), "none of its 1 scans is a 3D scan"},
+      {"2d.rawlog", objects({robotAt(0, 0), scan2D(0)}), "holds 1 scan, but no 3D scan"},
       {"2d.simplemap", [](const std::string& path) { writeSimpleMap(path, {scan2D(0)}); }, "3D"},
       {"unposed.rawlog", objects({chair(0), chair(1)}), "--static"},
       {"cut.rawlog",
@@ -80,8 +72,8 @@ std::vector<BadFile> badFiles()
          cutShort(path);
        },
        "truncated"},
-      {"floor.rawlog", objects({cloudOn({{1, 0, 0}}, {0, 0, 1}, 0)}), "none of its scans", 1},
-      {"nan.rawlog", objects({cloudOn({}, {0, 0, 1}, 0)}), "1: it has no usable point", 1},
+      {"floor.rawlog", objects({cloudOn({{1, 0, 0}}, {0, 0, 1}, 0)}), "none of its scans"},
+      {"nan.rawlog", objects({cloudOn({}, {0, 0, 1}, 0)}), "1: it has no usable point"},
       {"far.rawlog", objects({robotAt(0, 0), chair(0), far, robotAt(3e4, 1)}), "maxGridCells"},
   };
 }
@@ -98,8 +90,7 @@ TEST(InsertBadInput, isOneClearErrorAndLeavesNoTrace)
     const auto run = mapconv({"insert", dir.path(bad.name), "-o", dir.path("out/deep"), "--json",
                               "-c", dir.path("small.ini"), "--no-reflection-filter"});
     EXPECT_EQ(1, run.status) << bad.name;
-    EXPECT_EQ(bad.warnings, warningsIn(run.err)) << run.err;
-    expectWords({run.status, run.out, lastLine(run.err)}, {bad.name, bad.word});
+    expectWords(run, {bad.name, bad.word});
     EXPECT_EQ(entries, dir.entries()) << bad.name << " left something behind";
   }
 }

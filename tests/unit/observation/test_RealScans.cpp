@@ -79,7 +79,7 @@ TEST(RealScans, VelodyneSequence)
   const std::string path;
 #endif
   if (!std::filesystem::exists(path)) GTEST_SKIP() << "no vlp16_3scans.rawlog";
-  EXPECT_TRUE(contains(messageOf([&path] { readRawlog(path); }), "3 3D scans but no robot poses"));
+  EXPECT_TRUE(contains(messageOf([&path] { readRawlog(path); }), "3 scans but no robot poses"));
   const auto scans = readRawlog(path, {true});
   ASSERT_EQ(scans.size(), 3u);
   for (const auto& scan : scans)

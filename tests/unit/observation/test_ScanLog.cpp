@@ -56,11 +56,19 @@ CObservation::Ptr poseAt(double seconds, const CPose3D& pose, const std::string&
   return obs;
 }
 
-CObservation::Ptr odometryAt(double seconds, double x, double y, double yawDegrees)
+CObservation::Ptr odometryAt(double seconds, double x, double y, double yawDegrees,
+                             const std::string& label = "")
 {
   auto obs = mrpt::obs::CObservationOdometry::Create();
   obs->timestamp = at(seconds);
+  obs->sensorLabel = label;
   obs->odometry = {x, y, mrpt::DEG2RAD(yawDegrees)};
+  return obs;
+}
+
+CObservation::Ptr withoutTime(const CObservation::Ptr& obs)
+{
+  obs->timestamp = INVALID_TIMESTAMP;
   return obs;
 }
 
@@ -218,8 +226,8 @@ TEST(Rawlog, ScansInGapsOfThePosesAreCountedWithTheLongestGap)
     ASSERT_EQ(1u, scans.size());
     expectPose(scans[0].robotPose, 0.5, 0, 0, 0);
     ASSERT_EQ(1u, log.texts.size());
-    for (const char* words :
-         {"6 of 7 scans", "4 in gaps", "30.0 s", "1 outside", "1 without a time"})
+    for (const char* words : {"6 of 7 scans", "4 in gaps", "30.0 s", "1 outside",
+                              "1 without a time", "within 1 s of it (--max-pose-gap"})
       EXPECT_TRUE(contains(log.texts[0], words)) << log.texts[0];
     RawlogOptions patient;
     patient.maxPoseGap = 60;
@@ -249,7 +257,7 @@ TEST(Rawlog, TheSourceOfThePosesCanBeChosen)
   expectPose(readRawlog(path, {}, &log).at(0).robotPose, 1, 0, 0, 0);
   ASSERT_EQ(1u, log.texts.size());
   for (const char* words :
-       {"'slam' (2)", "'gps' (1)", "'' (1 of odometry)", "those of 'slam'", "--pose-source"})
+       {"'slam' (2)", "'gps' (1)", "'odometry' (1)", "those of 'slam'", "--pose-source"})
     EXPECT_TRUE(contains(log.texts[0], words)) << log.texts[0];
 
   RawlogOptions options;
@@ -270,11 +278,61 @@ TEST(Rawlog, TheSourceOfThePosesCanBeChosen)
   }
 }
 
+TEST(Rawlog, EverySourceOfPosesCanBeChosen)
+{
+  const TempDir dir;
+  const auto x = [](double position) { return CPose3D(position, 0, 0, 0, 0, 0); };
+  const auto path = rawlog(
+      dir,
+      {wheelStep(7, 0, 0), frame({poseAt(0, x(1)), poseAt(0, x(2), "base"), odometryAt(0, 3, 0, 0),
+                                  odometryAt(0, 4, 0, 0, "base"), cloudAt(0)})});
+  const std::vector<std::pair<std::string, double>> choices = {
+      {"", 1},         {"robotPose", 1},     {"base", 2},      {"robotPose:base", 2},
+      {"odometry", 3}, {"odometry:base", 4}, {"increments", 7}};
+  for (const auto& [source, position] : choices)
+  {
+    RawlogOptions options;
+    options.poseSource = source;
+    const Warnings silent;
+    expectPose(readRawlog(path, options, &silent).at(0).robotPose, position, 0, 0, 0);
+    EXPECT_TRUE(silent.texts.empty()) << silent.texts.front();
+  }
+  const Warnings log;
+  expectPose(readRawlog(path, {}, &log).at(0).robotPose, 1, 0, 0, 0);
+  ASSERT_EQ(1u, log.texts.size());
+  EXPECT_TRUE(contains(log.texts[0],
+                       "'robotPose' (1), 'robotPose:base' (1), 'odometry' (1), 'odometry:base' "
+                       "(1), 'increments' (1); those of 'robotPose' are used"))
+      << log.texts[0];
+}
+
 TEST(Rawlog, NoScanWithinThePosesIsAnError)
 {
   const TempDir dir;
   const auto path = rawlog(dir, {poseAt(0, {}), cloudAt(5), scan2DAt(0)});
-  EXPECT_TRUE(contains(rawlogError(path), "time span")) << rawlogError(path);
+  const Warnings log;
+  const auto message = messageOf([&] { readRawlog(path, {}, &log); });
+  for (const char* words : {"no 3D scan lies within the time span of the poses",
+                            "within 1 s of both poses around it (--max-pose-gap)", ": 1 outside"})
+    EXPECT_TRUE(contains(message, words)) << message;
+  EXPECT_TRUE(log.texts.empty()) << "the error says it all";
+}
+
+TEST(Rawlog, ScansOrPosesWithoutATimeAreCalledThat)
+{
+  const TempDir dir;
+  const auto stampless = [] { return withoutTime(cloudAt(0)); };
+  const std::string hint = " (if the sensor stood still, say so: --static)";
+  auto path = rawlog(dir, {poseAt(0, {}), stampless(), stampless()});
+  EXPECT_EQ(path + ": all 2 scans have no time stamp" + hint, rawlogError(path));
+  path = rawlog(dir, {poseAt(0, {}), stampless()});
+  EXPECT_EQ(path + ": its scan has no time stamp" + hint, rawlogError(path));
+  path = rawlog(dir, {poseAt(0, {}), stampless(), stampless(), scan2DAt(0)});
+  EXPECT_EQ(path + ": all 2 3D scans have no time stamp" + hint, rawlogError(path));
+  path =
+      rawlog(dir, {withoutTime(poseAt(0, {})), withoutTime(poseAt(0, {})), cloudAt(0), cloudAt(1)});
+  EXPECT_EQ(path + ": 2 scans but no pose that is of use, only 2 poses without a time stamp" + hint,
+            rawlogError(path));
 }
 
 TEST(Rawlog, PosesThatAreNoneAreCounted)
@@ -288,7 +346,7 @@ TEST(Rawlog, PosesThatAreNoneAreCounted)
   ASSERT_EQ(scans.size(), 1u);
   expectPose(scans[0].robotPose, 0.5, 0, 0, 0);
   ASSERT_EQ(log.texts.size(), 1u);
-  EXPECT_TRUE(contains(log.texts[0], "1 poses")) << log.texts[0];
+  EXPECT_EQ("poses are left out: 1 pose with NaN or infinite coordinates", log.texts[0]);
 }
 
 TEST(Rawlog, OneScanNeedsNoPose)
@@ -305,7 +363,7 @@ TEST(Rawlog, SeveralScansNeedPosesUnlessStatic)
 {
   const TempDir dir;
   const auto path = rawlog(dir, {cloudAt(0), cloudAt(1)});
-  EXPECT_TRUE(contains(rawlogError(path), "2 3D scans but no robot poses")) << rawlogError(path);
+  EXPECT_TRUE(contains(rawlogError(path), "2 scans but no robot poses")) << rawlogError(path);
   EXPECT_EQ(readRawlog(path, {true}).size(), 2u);
 }
 
@@ -327,7 +385,7 @@ TEST(Rawlog, ScansIn2DAreTakenAsThoseOfASimplemapAre)
   expectPose(scans[0].robotPose, 1, 2, 0, 0);
   EXPECT_EQ(readRawlog(rawlog(dir, {scan2DAt(0)})).size(), 1u) << "a single scan needs no pose";
   const auto lost = rawlog(dir, {scan2DAt(0), scan2DAt(1)});
-  EXPECT_TRUE(contains(rawlogError(lost), "2 2D scans but no robot poses")) << rawlogError(lost);
+  EXPECT_TRUE(contains(rawlogError(lost), "2 scans but no robot poses")) << rawlogError(lost);
   const auto outside = rawlog(dir, {poseAt(0, {}), scan2DAt(5)});
   EXPECT_TRUE(contains(rawlogError(outside), "no 2D scan lies within the time span"))
       << rawlogError(outside);
@@ -427,7 +485,7 @@ TEST(SimpleMap, KeyframesWithoutFinitePoseAreCounted)
   const Warnings log;
   EXPECT_EQ(readSimpleMap(path, &log).size(), 2u);
   ASSERT_EQ(log.texts.size(), 1u);
-  EXPECT_TRUE(contains(log.texts[0], "1 of 2 keyframes")) << log.texts[0];
+  EXPECT_TRUE(contains(log.texts[0], "1 of 2 keyframes left out")) << log.texts[0];
 }
 
 TEST(SimpleMap, BadFiles)

@@ -6,6 +6,7 @@
 #include <mrpt_mapconv/files/ObjectFile.h>
 #include <mrpt_mapconv/observation/PoseTrack.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,9 @@ struct PosedObservation
   mrpt::obs::CObservation::Ptr observation;  //!< of a class that sensorPoints() reads
   mrpt::poses::CPose3D robotPose;            //!< robot -> map
 };
+
+/** Whether one of them is a 3D scan. */
+bool has3DScan(const std::vector<PosedObservation>& scans);
 
 /** The scans of an MRPT simplemap, each at the mean pose of its keyframe, in the file's order.
  *
@@ -37,9 +41,10 @@ struct RawlogOptions
   bool staticSensor = false;
   /** A scan between two poses is used only if both are that near in time [s]. */
   double maxPoseGap = PoseTrack::kMaxGap;
-  /** Label of the observations that the poses come from; empty: of the kind that comes first, the
-   * one with the most poses. */
-  std::string poseSource = {};
+  /** Label of the observations that the poses come from; or "robotPose", "odometry" or
+   * "increments"; or kind and label of one that shares its label, "odometry:base". Not given: of
+   * the kind that comes first, the one with the most poses. */
+  std::optional<std::string> poseSource = {};
 };
 
 /** The scans of an MRPT rawlog, of either format, with the robot's pose at their time, in the
