@@ -1,13 +1,16 @@
 #include "CeilingOracle.h"
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <utility>
 
 namespace mrpt_mapconv::oracle
 {
 namespace
 {
-constexpr int kSectors = 64;
+constexpr int kSectors = 256;
 
 struct Direction
 {
@@ -53,16 +56,18 @@ std::vector<Place> pointsBetween(double low, double high,
   return places;
 }
 
-/** Moved to the middle of their cells. */
-std::vector<Place> inCells(const std::vector<Place>& places, const scan::Viewpoint& view,
+/** The middles of the cells that hold any, from the sensor. */
+std::vector<Place> cellsOf(const std::vector<Place>& places, const scan::Viewpoint& view,
                            double resolution)
 {
-  std::vector<Place> moved;
+  std::set<std::pair<double, double>> middles;
   const auto middle = [&](double offset, double sensor)
   { return (std::floor((sensor + offset) / resolution) + 0.5) * resolution - sensor; };
   for (const Place& p : places)
-    moved.push_back({middle(p.x, view.sensorPose.x()), middle(p.y, view.sensorPose.y()), p.height});
-  return moved;
+    middles.emplace(middle(p.x, view.sensorPose.x()), middle(p.y, view.sensorPose.y()));
+  std::vector<Place> cells;
+  for (const auto& [x, y] : middles) cells.push_back({x, y, 0});
+  return cells;
 }
 
 std::vector<Place> ofSector(int i, const std::vector<Place>& places)
@@ -74,6 +79,77 @@ std::vector<Place> ofSector(int i, const std::vector<Place>& places)
 }
 
 bool isNearer(const Place& a, const Place& b) { return a.range() < b.range(); }
+
+/** Height at the sensor, slopes along x and y. */
+using Plane = Eigen::Vector3d;
+
+double above(const Plane& plane, const Place& p)
+{
+  return p.height - plane.dot(Eigen::Vector3d(1, p.x, p.y));
+}
+
+double weightOf(const Place& p) { return 1 / (1 + p.range() * p.range()); }
+
+/** Least Σ w·(error² + (0.5 m · slope)²), then with the slope cut to 0.1. */
+Plane planeThrough(const std::vector<Place>& points)
+{
+  Eigen::Matrix3d left = Eigen::Matrix3d::Zero();
+  Eigen::Vector3d right = Eigen::Vector3d::Zero();
+  double weights = 0;
+  for (const Place& p : points)
+  {
+    const Eigen::Vector3d row(1, p.x, p.y);
+    left += weightOf(p) *
+            (row * row.transpose() + 0.25 * Eigen::Vector3d(0, 1, 1).asDiagonal().toDenseMatrix());
+    right += weightOf(p) * p.height * row;
+    weights += weightOf(p);
+  }
+  Plane plane = left.ldlt().solve(right);
+  const double slope = std::hypot(plane.y(), plane.z());
+  if (slope <= 0.1) return plane;
+  plane = Plane(0, plane.y() * 0.1 / slope, plane.z() * 0.1 / slope);
+  double errors = 0;
+  for (const Place& p : points) errors += weightOf(p) * above(plane, p);
+  plane.x() = errors / weights;
+  return plane;
+}
+
+Plane planeUnderTheTop(const std::vector<Place>& points, double band)
+{
+  Plane plane = planeThrough(points);
+  for (int again = 0; again < 5; ++again)
+  {
+    std::vector<Place> left;
+    for (const Place& p : points)
+      if (above(plane, p) >= -band) left.push_back(p);
+    plane = planeThrough(left);
+  }
+  return plane;
+}
+
+/** Whether a sector's points near the plane have ranges that differ by more than 0.5 m. */
+bool goesOn(const std::vector<Place>& points, const Plane& plane, double band)
+{
+  double least = 1e9, most = 0;
+  for (const Place& p : points)
+  {
+    if (std::abs(above(plane, p)) > band) continue;
+    least = std::min(least, p.range());
+    most = std::max(most, p.range());
+  }
+  return most - least > 0.5;
+}
+
+bool isHarmful(const std::vector<Place>& cells, const std::vector<Place>& nearest)
+{
+  std::size_t cut = 0;
+  for (const Place& wall : nearest)
+    for (int i = 0; i < kSectors; ++i)
+      if (isInSector(i, wall.x, wall.y))
+        for (const Place& cell : ofSector(i, cells))
+          if (cell.range() > wall.range() + 0.3) ++cut;
+  return !cells.empty() && 10 * cut >= cells.size();
+}
 }  // namespace
 
 std::optional<double> ceilingOf(const std::vector<mrpt::math::TPoint3Df>& points,
@@ -81,33 +157,38 @@ std::optional<double> ceilingOf(const std::vector<mrpt::math::TPoint3Df>& points
                                 const scan::ProfileParams& params)
 {
   const auto structure = pointsBetween(params.structureMinZ, params.structureMaxZ, points, view);
-  std::vector<Place> objects;
+  std::vector<Place> objects, nearest;
   for (const Place& p : pointsBetween(params.objectMinZ, params.objectMaxZ, points, view))
     if (p.range() >= params.minRange && p.range() <= params.maxRange) objects.push_back(p);
-  objects = inCells(objects, view, resolution);
-
-  std::vector<double> heights;
   for (int i = 0; i < kSectors; ++i)
     if (const auto walls = ofSector(i, structure); !walls.empty())
-      heights.push_back(std::min_element(walls.begin(), walls.end(), isNearer)->height);
-  if (heights.empty()) return std::nullopt;
-  std::sort(heights.begin(), heights.end());
-  const double median = heights[heights.size() / 2];
+      nearest.push_back(*std::min_element(walls.begin(), walls.end(), isNearer));
+  if (nearest.size() < 16) return std::nullopt;
 
-  const double band = std::min(0.05, (params.structureMaxZ - params.structureMinZ) / 4);
-  int withObject = 0, shut = 0;
-  for (int i = 0; i < kSectors; ++i)
+  const double band = std::min(0.05, (params.structureMaxZ - params.structureMinZ) / 6);
+  const Plane plane = planeUnderTheTop(nearest, band);
+  double level = 0, goingOn = 0, near = 0, higher = 0, heights = 0;
+  for (const Place& p : nearest)
   {
-    const auto walls = ofSector(i, structure), things = ofSector(i, objects);
-    if (things.empty()) continue;
-    ++withObject;
-    if (walls.empty()) continue;
-    const Place wall = *std::min_element(walls.begin(), walls.end(), isNearer);
-    const Place last = *std::max_element(things.begin(), things.end(), isNearer);
-    if (std::abs(wall.height - median) <= band && last.range() > wall.range() + 0.3) ++shut;
+    if (std::abs(above(plane, p)) > band) continue;
+    ++level;
+    heights += p.height - above(plane, p);
+    for (int i = 0; i < kSectors; ++i)
+      if (isInSector(i, p.x, p.y) && goesOn(ofSector(i, structure), plane, band)) ++goingOn;
   }
-  if (withObject >= 8 && 2 * shut > withObject) return median;
-  return std::nullopt;
+  for (const Place& p : structure)
+  {
+    if (above(plane, p) > band)
+      ++higher;
+    else if (above(plane, p) >= -band)
+      ++near;
+  }
+  const double height = heights / level, all = static_cast<double>(nearest.size());
+  const bool isPlane = 5 * level >= 3 * all && goingOn > level / 2 && higher < near / 4;
+  const bool isTop = height < params.structureMaxZ - 2 * band && higher <= near / 100;
+  if (3 * level < all || !(isPlane || isTop)) return std::nullopt;
+  if (!isHarmful(cellsOf(objects, view, resolution), nearest)) return std::nullopt;
+  return height;
 }
 
 }  // namespace mrpt_mapconv::oracle

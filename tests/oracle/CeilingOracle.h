@@ -7,8 +7,8 @@
 
 namespace mrpt_mapconv::oracle
 {
-/** scan::ProfileStatistics::ceiling by its definition, sector by sector, all points each time. For
- * scans and parameters that are good, with the reflection filter. */
+/** scan::ProfileStatistics::ceiling by its definition in ScanProfile, sector by sector, all points
+ * each time. For scans and parameters that are good, with the reflection filter. */
 std::optional<double> ceilingOf(const std::vector<mrpt::math::TPoint3Df>& points,
                                 const scan::Viewpoint& view, double resolution,
                                 const scan::ProfileParams& params);

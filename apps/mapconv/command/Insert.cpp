@@ -264,7 +264,9 @@ std::pair<CLI::App*, Command> addInsert(CLI::App& app)
       "closestPoint\n"
       "Heights are those above the robot's base. DIR gets map.gridmap, .pgm, .yaml, .png and .tif\n"
       "(probability of occupancy). 2D scans of the log are inserted as well, unless --no-2d is\n"
-      "given or the ini file says insert2D = false.");
+      "given or the ini file says insert2D = false. A return at a 3D scan's maximum range is "
+      "none,\n"
+      "and frees nothing: a beam that meets nothing says nothing of what is above or below it.");
   return {sub, [options] { return insert(*options); }};
 }
 

@@ -102,7 +102,10 @@ bool CScanShapeGridMap2D::insert3D(const mrpt::obs::CObservation& obs,
   checkNear(sensorPose);
   auto& work = workspace();
   observation::sensorPoints(obs, robotPose, work.scan, &m_log.warnings);
-  if (work.scan.points.empty()) return m_log.skip(obs, "it has no usable point");
+  if (work.scan.points.empty())
+    return m_log.skip(
+        obs, work.scan.empty() ? "it has no usable point" : "all of its returns are at maxRange");
+  warnOfOverlap();
   try
   {
     work.profile.compute(work.scan.points,
@@ -125,6 +128,14 @@ bool CScanShapeGridMap2D::insert3D(const mrpt::obs::CObservation& obs,
   m_lastScan = work.profile.statistics();
   report(obs);
   return !bounds.empty() || m_log.skip(obs, whyEmpty(m_lastScan));
+}
+
+/** Says so if furniture can pass for walls. */
+void CScanShapeGridMap2D::warnOfOverlap()
+{
+  const auto& params = scanInsertionOptions.profile;
+  if (params.reflectionFilter && params.slicesOverlap())
+    m_log.warnings.warnOnceOf({"slices overlap"}, [&] { return scan::overlapText(params); });
 }
 
 /** Whether the first 3D scan has been reported; from now on it has. */

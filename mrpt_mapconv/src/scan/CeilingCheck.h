@@ -1,5 +1,7 @@
 #pragma once
 
+#include <mrpt_mapconv/scan/CellBits.h>
+
 #include <optional>
 
 #include "Slices.h"
@@ -9,11 +11,12 @@ namespace mrpt_mapconv::scan
 /** The height of a ceiling that the structure slice holds, above the robot's base [m]; nothing if
  * it holds none.
  *
- * A ceiling shuts a scan in: all around, the nearest structure points lie at nearly one height, and
- * objects lie behind them. Walls are met at all heights of the slice, and behind them lies nothing
- * but reflections. ProfileStatistics::ceiling says exactly how it is recognised.
+ * A ceiling shuts a scan in: the nearest structure points lie in one plane, above which nothing is
+ * seen, and objects are cut. Walls fill the slice up to its end, and do not go on behind their
+ * nearest point. ScanProfile says exactly how it is recognised.
  *
- * \param sliceHeight of the structure slice [m] */
-std::optional<double> ceilingIn(const Slices& slices, const SensorPlace& place, double sliceHeight);
+ * \param objects the cells O, in the square of slices.reach around the sensor's cell */
+std::optional<double> ceilingIn(const Slices& slices, const SensorPlace& place,
+                                const CellBits& objects, const ProfileParams& params);
 
 }  // namespace mrpt_mapconv::scan

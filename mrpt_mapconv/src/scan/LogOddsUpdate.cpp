@@ -1,9 +1,11 @@
 #include <mrpt_mapconv/params/Require.h>
+#include <mrpt_mapconv/params/Text.h>
 #include <mrpt_mapconv/scan/LogOddsUpdate.h>
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <string>
 
 #include "BitRow.h"
 
@@ -16,6 +18,12 @@ namespace
 constexpr double kUnits = 16;       // of MRPT's cells, per natural unit of log-odds
 constexpr double kMostUnits = 127;  // in a cell, either way
 constexpr double kSlack = 1e-9;     // so that a probability made of whole units gives these
+
+/** Made only for a message: each scan checks its parameters, and is to need no memory. */
+std::string beside(const char* right, double value, const char* why)
+{
+  return std::string(right) + " = " + params::shortestText(value) + ": " + why;
+}
 
 double unitsOf(double p) { return kUnits * std::log(p / (1 - p)); }
 
@@ -47,6 +55,10 @@ void UpdateParams::check() const
   require(std::lround(unitsOf(pMiss)) < 0, "pMiss", pMiss, "at most 0.492");
   require(unitsOf(pMax) >= 1, "pMax", pMax, "at least 0.516");
   require(unitsOf(pMin) <= -1, "pMin", pMin, "at most 0.484");
+  if (pHit > pMax)
+    require(false, "pHit", pHit, beside("at most pMax", pMax, "no cell can be more probable"));
+  if (pMiss < pMin)
+    require(false, "pMiss", pMiss, beside("at least pMin", pMin, "no cell can be less probable"));
 }
 
 LogOddsUpdate::LogOddsUpdate(const UpdateParams& params)

@@ -40,4 +40,12 @@ std::string ceilingText(double height, const ProfileParams& params)
       height, range(params.structureMinZ, params.structureMaxZ).c_str(), low, high);
 }
 
+std::string overlapText(const ProfileParams& params)
+{
+  return "the structure slice (" + range(params.structureMinZ, params.structureMaxZ) +
+         ") and the object slice (" + range(params.objectMinZ, params.objectMaxZ) +
+         ") overlap: objects in both pass for walls, and what is behind them is cut; let "
+         "structureMinZ be at least objectMaxZ";
+}
+
 }  // namespace mrpt_mapconv::scan

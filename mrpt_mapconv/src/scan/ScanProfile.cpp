@@ -113,8 +113,7 @@ void ScanProfile::compute(const std::vector<TPoint3Df>& points, const Viewpoint&
   work.statistics.points = points.size();
   work.statistics.ceiling = std::nullopt;
   if (params.reflectionFilter)
-    work.statistics.ceiling =
-        ceilingIn(work.slices, work.place, params.structureMaxZ - params.structureMinZ);
+    work.statistics.ceiling = ceilingIn(work.slices, work.place, work.rows.object, params);
   work.finish();
 }
 

@@ -236,6 +236,7 @@ TEST_F(InsertInput, structureTakesTwoHeightsAndLeavesTheInputAlone)
   EXPECT_EQ(m_dir.path("chair.rawlog"), parseJson(run.out)["input"].text);
   EXPECT_EQ(2.2, parseJson(run.out)["parameters"]["structureMinZ"].number);
   EXPECT_EQ(2.6, parseJson(run.out)["parameters"]["structureMaxZ"].number);
+  EXPECT_TRUE(contains(mapconv({"insert", "--help"}).out, "A return at a 3D scan's maximum range"));
   EXPECT_TRUE(contains(mapconv({"insert", "--help"}).out, "--structure MIN MAX   "))
       << "no word of more than two";
 }

@@ -109,6 +109,22 @@ TEST(CScanShapeGridMap2D, PointsThatAreNotFiniteAreLeftOut)
   EXPECT_TRUE(contains(warnings.texts[0], "3 points with NaN")) << warnings.texts[0];
 }
 
+TEST(CScanShapeGridMap2D, WarnsOnceIfTheSlicesOverlap)
+{
+  const Room room{-3, 3, -2, 2, 2.5};
+  for (const bool filter : {true, false})
+  {
+    auto map = mapForRooms();
+    const WarningsOf warnings(map);
+    map.scanInsertionOptions.profile.structureMinZ = 1;
+    map.scanInsertionOptions.profile.reflectionFilter = filter;
+    for (int i = 0; i < 2; ++i)
+      ASSERT_TRUE(map.insertObservation(scanOf(room, CPose3D()), CPose3D()));
+    ASSERT_EQ(warnings.texts.size(), filter ? 1u : 0u);
+    EXPECT_TRUE(!filter || contains(warnings.texts[0], "overlap")) << warnings.texts[0];
+  }
+}
+
 TEST(CScanShapeGridMap2D, WarnsOnceIfFewAzimuthsHaveAWall)
 {
   auto map = mapForRooms();

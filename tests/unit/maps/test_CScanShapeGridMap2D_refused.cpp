@@ -1,3 +1,5 @@
+#include <mrpt/obs/CObservation3DRangeScan.h>
+
 #include <functional>
 #include <set>
 
@@ -244,6 +246,22 @@ TEST(CScanShapeGridMap2DRefuses, ARefused2DScanLeavesTheMapExactlyAsItWas)
 {
   const Room elsewhere{-9, 9, -8, 8, 2.5};
   for (const auto& input : bad2DInputs()) expectRefused(input, scan2DOf(elsewhere, CPose3D()));
+}
+
+TEST(CScanShapeGridMap2DRefuses, AScanWithoutReturnsUpToItsMaxRangeForThatReason)
+{
+  mrpt::obs::CObservation3DRangeScan image;
+  image.maxRange = 2;
+  image.hasRangeImage = true;
+  image.rangeUnits = 0.001f;
+  image.cameraParams.ncols = image.cameraParams.nrows = 2;
+  image.cameraParams.setIntrinsicParamsFromValues(2, 2, 1, 1);
+  image.rangeImage_setSize(2, 2);
+  image.rangeImage.fill(2000);
+  auto map = mapForRooms();
+  const WarningsOf warnings(map);
+  EXPECT_FALSE(map.insertObservation(image, CPose3D(0, 0, 1, 0, 0, 0)));
+  EXPECT_EQ(map.lastSkip(), "all of its returns are at maxRange");
 }
 
 TEST(CScanShapeGridMap2DRefuses, EachReasonIsSaidOnceForEachSensor)

@@ -207,6 +207,10 @@ TEST(LogOddsUpdate, BadValuesAreNamed)
       {"pMax", "0.25", [](UpdateParams& p) { p.pMax = 0.25; }},
       {"pMax", "1.5", [](UpdateParams& p) { p.pMax = 1.5; }},
       {"pMax", "nan", [](UpdateParams& p) { p.pMax = kNaN; }},
+      {"pHit", "0.99", [](UpdateParams& p) { p.pHit = 0.99; }},  // above pMax
+      {"pHit", "0.7", [](UpdateParams& p) { p.pMax = 0.6; }},
+      {"pMiss", "0.01", [](UpdateParams& p) { p.pMiss = 0.01; }},  // below pMin
+      {"pMiss", "0.45", [](UpdateParams& p) { p.pMin = 0.46; }},
   };
   for (const BadValue& bad : cases)
   {

@@ -68,6 +68,22 @@ TEST(ProfileParams, WithoutTheFilterNoStructureSliceIsNeeded)
   EXPECT_NO_THROW(params.check());
 }
 
+TEST(ProfileParams, SlicesOverlapIfAHeightIsInBoth)
+{
+  const auto overlap = [](double min, double max)
+  {
+    ProfileParams params;
+    params.structureMinZ = min;
+    params.structureMaxZ = max;
+    return params.slicesOverlap();
+  };
+  EXPECT_TRUE(overlap(1, 2));
+  EXPECT_TRUE(overlap(-1, 4));
+  EXPECT_FALSE(overlap(1.5, 2));  // they touch
+  EXPECT_FALSE(overlap(-1, 0.05));
+  EXPECT_FALSE(overlap(kNaN, kNaN));
+}
+
 TEST(ProfileParams, ValuesAtTheLimitsAreGood)
 {
   ProfileParams params = goodParams();

@@ -18,3 +18,13 @@ TEST(ProfileSummary, SaysThatTheWallsAreNotGiven)
 {
   EXPECT_EQ(summaryOf({}), "wholeShape, objects from 0.05 to 1.5 m, no structure slice given");
 }
+
+TEST(ProfileSummary, SaysWhichSlicesOverlapAndWhatIsRight)
+{
+  ProfileParams params;
+  params.structureMinZ = 1;
+  params.structureMaxZ = 2;
+  const std::string text = overlapText(params);
+  for (const char* part : {"1 to 2 m", "0.05 to 1.5 m", "structureMinZ", "objectMaxZ"})
+    EXPECT_NE(text.find(part), std::string::npos) << text;
+}

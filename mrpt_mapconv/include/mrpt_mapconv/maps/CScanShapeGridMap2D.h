@@ -111,6 +111,7 @@ class CScanShapeGridMap2D : public mrpt::maps::COccupancyGridMap2D, public maps:
   bool insert2D(const mrpt::obs::CObservation2DRangeScan& scan,
                 const mrpt::poses::CPose3D& robotPose);
   void checkNear(const mrpt::poses::CPose3D& sensorPose) const;
+  void warnOfOverlap();
   bool hasReported();
   void report(const mrpt::obs::CObservation& obs);
   void startEmpty();

@@ -64,6 +64,9 @@ struct ProfileParams
   /** \exception std::invalid_argument in one line naming the parameter, its value and what would be
    * right; also if the reflection filter has no structure slice */
   void check() const;
+  /** True if a height lies in both slices: what stands there is an object, and a wall that cuts
+   * what is behind it. False without a structure slice. */
+  bool slicesOverlap() const { return structureMinZ < objectMaxZ && structureMaxZ > objectMinZ; }
 };
 
 }  // namespace mrpt_mapconv::scan

@@ -15,4 +15,7 @@ std::string summaryOf(const ProfileParams& params);
  * \param height of the ceiling above the robot's base [m] */
 std::string ceilingText(double height, const ProfileParams& params);
 
+/** That the slices overlap, what comes of it, and what would be right. */
+std::string overlapText(const ProfileParams& params);
+
 }  // namespace mrpt_mapconv::scan

@@ -38,10 +38,7 @@ struct ProfileStatistics
   std::int32_t linesWithWall = 0;  //!< those with a structural element; 0 without the filter
   std::size_t occupiedCells = 0, freeCells = 0;
   /** Height above the robot's base [m] of a ceiling that the structure slice holds, which then
-   * passes for walls on all sides: of 64 sectors around the sensor (16 a quadrant, even along
-   * |x| + |y| = 1) that hold objects, at least 8, more than half have their nearest structure point
-   * within 5 cm (a quarter of the slice, if that is less) of the median height of all sectors'
-   * nearest ones, and an object more than 0.3 m behind it. */
+   * passes for walls: see ScanProfile. */
   std::optional<double> ceiling;
 
   /** linesWithWall / lines; 0 without lines. */
@@ -72,6 +69,23 @@ struct ProfileStatistics
  * - Closest point: the first valid O-cell of each line is occupied; cells before it whose centre is
  *   nearer than the wall's are free.
  * - A cell is occupied if any line says so, else free if any line says so.
+ *
+ * A **ceiling in the structure slice** (only looked for with the reflection filter) changes none of
+ * this, but is reported. Around the sensor lie 256 sectors, 64 a quadrant, even along |x| + |y| =
+ * 1; "near" is within 5 cm of height, or a sixth of the slice if that is less. Through the
+ * structure points that are each their sector's nearest, weighted by 1/(1 + range²) in metres, goes
+ * a plane of least squares, with slopes of at most 0.1 (LevelPlaneFit says how it is kept level);
+ * five times it is fitted again without the points that are below it and not near. Those near the
+ * last one are level; the ceiling's height is the mean of the plane's at them. It is one if
+ * - at least 16 sectors have structure points, and in at least a third of them the nearest is
+ * level;
+ * - it is no wall, by either of two signs. It goes on: at least three fifths are level, in most of
+ *   these the sector's points near the plane have ranges that differ by more than 0.5 m, and fewer
+ *   points of the slice lie higher than a quarter of the number near it. Or it ends the slice: its
+ *   height is more than twice "near" below structureMaxZ, and hardly any points lie higher, at most
+ *   a hundredth;
+ * - it does harm: at least a tenth of the O-cells have their centre more than 0.3 m behind the
+ *   nearest structure point of their sector.
  *
  * Time grows with the number of points, of lines and of cells on the way to the farthest object on
  * each; memory with the square of the distance to the farthest object of all: ten rasters of that
