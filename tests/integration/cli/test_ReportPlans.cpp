@@ -214,11 +214,11 @@ TEST_F(ReportPlans, NumbersInMessagesAreRounded)
                 { return std::min<std::size_t>(x, 8) + y / 3 + (x > 14 ? 9 : 0); },
                 {"--max-slope", "1.5"});
   expectWords(plan("ground", "1.551234,0.35", "0.351234,0.55", "0"),
-              {"start (1.551, 0.35) m is in an occupied cell: the slope there, 3."});
+              {"start (1.551, 0.35) m is in an occupied cell: the slope there, 2.717, is above"});
   expectWords(plan("ground", "0.65,0.35", "0.351234,0.55", "5"), {"comes within 0.3 m of"});
   // the gap to a corner is none of whole cells
   convertFloors([](std::size_t x, std::size_t y) { return x == 10 && y == 8 ? 25 : 0; });
-  expectWords(plan("ground", "0.55,0.55", "0.55,0.35", "0.3"), {"comes within 0."});
+  expectWords(plan("ground", "0.75,0.55", "0.55,0.35", "0.3"), {"comes within 0.283 m of"});
 }
 
 TEST_F(ReportPlans, WithoutAVoxelMapPlanSaysWhatItCannotTell)
