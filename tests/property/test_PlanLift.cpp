@@ -29,10 +29,11 @@ void fillWithSteps(Rng& rng, octomap::OcTree& tree)
   std::vector<int> floor(kSide * kSide, 4), top(kSide * kSide, kTop);
   for (int patch = pick(rng, 3, 20); patch > 0; --patch)
   {
-    const int x = pick(rng, 0, kSide - 1), y = pick(rng, 0, kSide - 1);
+    const bool across = chance(rng, 30);  // no way around
+    const int x = pick(rng, 0, kSide - 1), y = across ? 0 : pick(rng, 0, kSide - 1);
     const int xEnd = std::min(kSide, x + pick(rng, 1, 14));
-    const int yEnd = std::min(kSide, y + pick(rng, 1, 14));
-    const int kind = pick(rng, 0, 9), change = kind == 0 ? kTop : pick(rng, -2, 2);
+    const int yEnd = across ? kSide : std::min(kSide, y + pick(rng, 1, 14));
+    const int kind = across ? 2 : pick(rng, 0, 9), change = kind == 0 ? kTop : pick(rng, -2, 2);
     for (int iy = y; iy < yEnd; ++iy)
       for (int ix = x; ix < xEnd; ++ix)
         if (const auto i = static_cast<std::size_t>(iy * kSide + ix); kind == 1)
@@ -86,7 +87,7 @@ TEST(PlanLift, EveryPlannedPathIsAccepted)
     freespace::ConversionParams conversion;
     conversion.minClearance = pick(rng, 5, 12) * res;
     conversion.maxStep = chance(rng, 60) ? 0 : pick(rng, 1, 3) * res;
-    conversion.maxSlope = uniform(rng, 1, 4);
+    conversion.maxSlope = pick(rng, 1, 3) + uniform(rng, 0.001, 0.1);  // steps are just low enough
     const auto layers = freespace::convert(source, conversion, 1);
     planning::RobotPathQuery query;
     query.lift.robot = chance(rng, 75) ? Robot::Ground : Robot::Aerial;

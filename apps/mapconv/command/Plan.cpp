@@ -1,7 +1,7 @@
-#include <mrpt/core/format.h>
 #include <mrpt_mapconv/files/FileIo.h>
 #include <mrpt_mapconv/files/OutputDir.h>
 #include <mrpt_mapconv/grid/LayerPicture.h>
+#include <mrpt_mapconv/params/Text.h>
 #include <mrpt_mapconv/planning/Remedies.h>
 #include <mrpt_mapconv/planning/RobotPath.h>
 
@@ -58,16 +58,23 @@ void writeOutputs(const PlanOptions& options, const MapFolder& map, const planni
 /** What would have to change so that there is a path; empty if nothing does. */
 std::string remediesText(const planning::Remedies& remedies)
 {
+  using params::roundedText;
   std::string text;
-  const auto add = [&](const char* words, const std::optional<double>& value)
+  const auto add = [&](const char* flag, const std::optional<double>& value)
   {
     if (value)
-      text += (text.empty() ? "; there is one with " : ", or with ") +
-              (words + mrpt::format("%.6g", *value));
+      text += (text.empty() ? "; there is one with " : ", or with ") + (flag + roundedText(*value));
   };
   add("--robot-radius ", remedies.robotRadius);
   add("--height-offset ", remedies.heightOffset);
-  add("a map converted with --max-step ", remedies.maxStep);
+  if (remedies.maxStep)
+    text += "; for a robot that climbs " + roundedText(*remedies.maxStep) +
+            " m: a map converted with --max-step " + roundedText(*remedies.maxStep);
+  if (remedies.maxStepUnknown)
+    text += std::string(
+                "; whether a map converted with a higher --max-step would help cannot be "
+                "told without ") +
+            MapFolder::kVoxels;
   return text;
 }
 

@@ -2,9 +2,25 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 
 namespace mrpt_mapconv::params
 {
+std::string roundedText(double value)
+{
+  const bool plain = std::abs(value) < 1e6;
+  std::array<char, 32> text{};
+  const auto end =
+      std::to_chars(text.data(), text.data() + text.size(), value,
+                    plain ? std::chars_format::fixed : std::chars_format::general, plain ? 3 : 4)
+          .ptr;
+  std::string rounded(text.data(), end);
+  if (!plain) return rounded;
+  rounded.erase(rounded.find_last_not_of('0') + 1);
+  if (rounded.back() == '.') rounded.pop_back();
+  return rounded == "-0" ? "0" : rounded;
+}
+
 std::string withoutByteOrderMark(std::string text)
 {
   constexpr std::string_view mark = "\xEF\xBB\xBF";

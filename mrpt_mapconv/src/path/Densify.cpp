@@ -1,5 +1,7 @@
 #include "Densify.h"
 
+#include <mrpt_mapconv/params/Text.h>
+
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -24,8 +26,9 @@ LiftedPoint pointAt(double x, double y, bool isInput)
 [[noreturn]] void throwTooLong(std::size_t index, double length, double spacing)
 {
   std::ostringstream message;
-  message << "path point " << index << ": " << length << " m from the point before it at "
-          << spacing << " m a cell make more than 10 million points; the path must be shorter";
+  message << "path point " << index << ": " << params::roundedText(length)
+          << " m from the point before it at " << params::roundedText(spacing)
+          << " m a cell make more than 10 million points; the path must be shorter";
   throw std::invalid_argument(message.str());
 }
 }  // namespace

@@ -1,5 +1,7 @@
 #include "SlabMap.h"
 
+#include <mrpt_mapconv/params/Text.h>
+
 #include <cmath>
 #include <sstream>
 #include <stdexcept>
@@ -36,13 +38,20 @@ void forEachFreeRun(const voxel::ColumnBlock& block, std::int32_t column, const 
 
 bool same(float a, float b) { return a == b || (std::isnan(a) && std::isnan(b)); }
 
+std::string inWords(float floor, float ceiling)
+{
+  using params::roundedText;
+  return roundedText(static_cast<double>(floor)) + " and " +
+         roundedText(static_cast<double>(ceiling)) + " m";
+}
+
 [[noreturn]] void throwOtherMap(std::int32_t kx, std::int32_t ky, float floor, float ceiling,
                                 float layerFloor, float layerCeiling)
 {
   std::ostringstream message;
-  message << "voxel map: floor and ceiling of cell (" << kx << ", " << ky << ") are " << floor
-          << " and " << ceiling << " m, but " << layerFloor << " and " << layerCeiling
-          << " m in the layers; it must be the map that the layers were made of";
+  message << "voxel map: floor and ceiling of cell (" << kx << ", " << ky << ") are "
+          << inWords(floor, ceiling) << ", but " << inWords(layerFloor, layerCeiling)
+          << " in the layers; it must be the map that the layers were made of";
   throw std::invalid_argument(message.str());
 }
 }  // namespace

@@ -3,6 +3,7 @@
 #include <mrpt_mapconv/grid/CellKey.h>
 #include <mrpt_mapconv/grid/OccupancyCell.h>
 #include <mrpt_mapconv/params/Require.h>
+#include <mrpt_mapconv/params/Text.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,12 +22,11 @@ using grid::GridFrame;
 using grid::Layer;
 using mrpt::math::TPoint2D;
 using params::require;
+using params::roundedText;
 
 std::string inMetres(const TPoint2D& p)
 {
-  std::ostringstream text;
-  text << "(" << p.x << ", " << p.y << ") m";
-  return text.str();
+  return "(" + roundedText(p.x) + ", " + roundedText(p.y) + ") m";
 }
 
 void checkInput(const Layer<float>& occupancy, const TPoint2D& start, const TPoint2D& goal,
@@ -82,9 +82,7 @@ std::string nearestObstacle(const Layer<float>& occupancy, Cell cell)
       what = std::string("the ") + kindOf(occupancy.at(ix, iy)) + " cell at " +
              inMetres(centreOf(frame, {ix, iy}));
     }
-  std::ostringstream text;
-  text << std::sqrt(least) * frame.resolution << " m of " << what;
-  return text.str();
+  return roundedText(std::sqrt(least) * frame.resolution) + " m of " + what;
 }
 
 /** Why the robot cannot stand at a place; empty if it can. */
@@ -96,8 +94,9 @@ std::string problemAt(const char* name, const TPoint2D& p, const Layer<float>& o
   text << name << " " << inMetres(p);
   if (!contains(frame, p))
   {
-    text << " is outside the map, which covers x from " << frame.xMin() << " to " << frame.xMax()
-         << " m and y from " << frame.yMin() << " to " << frame.yMax() << " m";
+    text << " is outside the map, which covers x from " << roundedText(frame.xMin()) << " to "
+         << roundedText(frame.xMax()) << " m and y from " << roundedText(frame.yMin()) << " to "
+         << roundedText(frame.yMax()) << " m";
     return text.str();
   }
   const Cell cell = waypointAt(frame, p).cell;

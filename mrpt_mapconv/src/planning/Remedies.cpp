@@ -40,9 +40,8 @@ class Trials
   std::optional<double> robotRadius() const
   {
     constexpr double kStep = 0.01;
-    const bool aerial = m_query.lift.robot == Robot::Aerial;
     const int first = static_cast<int>(std::ceil(m_query.robotRadius / kStep - 1e-6)) - 1;
-    const int last = aerial ? 1 : 0;  // a sphere needs a radius
+    const int last = static_cast<int>(std::ceil(m_layers.frame().resolution / 2 / kStep - 1e-6));
     if (first < last) return std::nullopt;
     const auto found = nearestWorking(first, last,
                                       [&](int steps)
@@ -64,32 +63,47 @@ class Trials
       for (const int sign : {-1, 1})
       {
         RobotPathQuery query = m_query;
-        query.lift.heightOffset += sign * cells * cell;
+        query.lift.heightOffset =
+            std::round((query.lift.heightOffset + sign * cells * cell) / kMm) * kMm;
         if (query.lift.heightOffset >= 0 && finds(query)) return query.lift.heightOffset;
       }
     return std::nullopt;
   }
 
+  /** Whether there is a higher step that a ground robot may be asked to climb. */
+  bool mayClimbMore() const
+  {
+    return m_query.lift.robot == Robot::Ground && lowestStep() <= highestStep();
+  }
+
   std::optional<double> maxStep() const
   {
-    if (m_query.lift.robot == Robot::Aerial || !m_voxels) return std::nullopt;
-    const double voxel = m_layers.frame().resolution;
-    const int first = m_conversion.maxStepVoxels(voxel) + 1;
-    const int last = static_cast<int>(std::min(m_conversion.minClearance / voxel, 1e6));
-    if (first > last) return std::nullopt;
+    if (!m_voxels || !mayClimbMore()) return std::nullopt;
     const auto found =
-        nearestWorking(first, last,
+        nearestWorking(lowestStep(), highestStep(),
                        [&](int voxels)
                        {
                          freespace::ConversionParams params = m_conversion;
-                         params.maxStep = voxels * voxel;
+                         params.maxStep = stepOf(voxels);
                          const auto layers = freespace::convert(*m_voxels, params);
                          return planRobotPath(layers, params, m_query, m_voxels).found();
                        });
-    return found ? std::optional(*found * voxel) : std::nullopt;
+    return found ? std::optional(stepOf(*found)) : std::nullopt;
   }
 
  private:
+  static constexpr double kMm = 0.001;
+
+  // of steps to try, in voxels
+  int lowestStep() const { return m_conversion.maxStepVoxels(m_layers.frame().resolution) + 1; }
+  int highestStep() const
+  {
+    return static_cast<int>(std::min(m_conversion.minClearance / m_layers.frame().resolution, 1e6));
+  }
+  double stepOf(int voxels) const
+  {
+    return std::ceil(voxels * m_layers.frame().resolution / kMm - 1e-6) * kMm;
+  }
   bool finds(const RobotPathQuery& query) const
   {
     return planRobotPath(m_layers, m_conversion, query, m_voxels).found();
@@ -113,7 +127,8 @@ Remedies findRemedies(const freespace::Layers& layers,
 {
   if (!contains(layers.frame(), query.start) || !contains(layers.frame(), query.goal)) return {};
   const Trials trials(layers, conversion, query, voxels);
-  return {trials.robotRadius(), trials.heightOffset(), trials.maxStep()};
+  return {trials.robotRadius(), trials.heightOffset(), trials.maxStep(),
+          !voxels && trials.mayClimbMore()};
 }
 
 }  // namespace mrpt_mapconv::planning

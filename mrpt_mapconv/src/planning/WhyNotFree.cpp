@@ -1,6 +1,7 @@
 #include "WhyNotFree.h"
 
 #include <mrpt_mapconv/grid/OccupancyCell.h>
+#include <mrpt_mapconv/params/Text.h>
 
 #include <cmath>
 #include <sstream>
@@ -22,7 +23,8 @@ std::string whyNotFree(const freespace::Layers& layers,
   else if (const float slope = layers.slope.at(cell.x, cell.y); std::isnan(slope))
     text << "the slope there is not known";
   else if (static_cast<double>(slope) > conversion.maxSlope || conversion.maxStep <= 0)
-    text << "the slope there, " << slope << ", is above maxSlope = " << conversion.maxSlope;
+    text << "the slope there, " << params::roundedText(static_cast<double>(slope))
+         << ", is above maxSlope = " << conversion.maxSlope;
   else
     text << "the step to a cell beside it is above maxStep = " << conversion.maxStep << " m";
   return text.str();

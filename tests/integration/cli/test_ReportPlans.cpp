@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <regex>
 
 #include "OctreeFiles.h"
 #include "Program.h"
@@ -78,6 +79,7 @@ class ReportPlans : public ::testing::Test
     EXPECT_EQ(1, run.status) << run.out;
     EXPECT_TRUE(isOneError(run.err)) << run.err;
     for (const char* word : words) EXPECT_TRUE(contains(run.err, word)) << word << ": " << run.err;
+    EXPECT_FALSE(std::regex_search(run.err, std::regex("[0-9]\\.[0-9]{4}"))) << run.err;
   }
 
   const std::string kShared = MRPT_MAPCONV_SHARED_DIR "/";
@@ -99,7 +101,8 @@ TEST_F(ReportPlans, AFenceThatTheSlopeTestMissesIsNoWay)
   if (!std::filesystem::exists(kShared + "reports")) GTEST_SKIP();
   ASSERT_EQ(0, convert(kShared + "reports/fence09.bt").status);
   expectWords(plan("ground", "-3,0", "3,0", "0.3"),
-              {"no path", "at (0.0", "from 0.00 m to 0.90 m", "--max-step 0.9"});
+              {"no path", "at (0.0", "from 0.00 m to 0.90 m",
+               "; for a robot that climbs 0.9 m: a map converted with --max-step 0.9\n"});
   EXPECT_FALSE(std::filesystem::exists(m_dir.path("path.csv")));
   expectWords(lift("ground", "-3,0\n3,0\n"),
               {"flat.csv: point 30 at (0.0", "from 0.00 m to 0.90 m", "nothing written"});
@@ -202,6 +205,32 @@ TEST_F(ReportPlans, AStartThatIsNotFreeSaysWhy)
   convertFloors([](std::size_t x, std::size_t) { return x < 10 ? 0 : 9; });
   expectWords(plan("ground", "0.95,0.55", "0.35,0.55", "0"),
               {"start (0.95, 0.55) m is in an occupied cell: the slope there", "maxSlope = 2"});
+}
+
+TEST_F(ReportPlans, NumbersInMessagesAreRounded)
+{
+  // a slope of 1 in x and 1/3 in y; behind it a ledge
+  convertFloors([](std::size_t x, std::size_t y)
+                { return std::min<std::size_t>(x, 8) + y / 3 + (x > 14 ? 9 : 0); },
+                {"--max-slope", "1.5"});
+  expectWords(plan("ground", "1.551234,0.35", "0.351234,0.55", "0"),
+              {"start (1.551, 0.35) m is in an occupied cell: the slope there, 2.717, is above"});
+  expectWords(plan("ground", "0.65,0.35", "0.351234,0.55", "5"), {"comes within 0.3 m of"});
+  // the gap to a corner is none of whole cells
+  convertFloors([](std::size_t x, std::size_t y) { return x == 10 && y == 8 ? 25 : 0; });
+  expectWords(plan("ground", "0.75,0.55", "0.55,0.35", "0.3"), {"comes within 0.283 m of"});
+}
+
+TEST_F(ReportPlans, WithoutAVoxelMapPlanSaysWhatItCannotTell)
+{
+  convertFloors([](std::size_t x, std::size_t) { return x == 10 ? 9 : 0; });
+  std::filesystem::remove(map() + "/voxels.bt");
+  const Outcome run = plan("ground", "0.35,0.55", "1.65,0.55", "0");
+  EXPECT_EQ(1, run.status);
+  EXPECT_TRUE(contains(run.err,
+                       "; whether a map converted with a higher --max-step would help cannot be "
+                       "told without voxels.bt\n"))
+      << run.err;
 }
 
 TEST_F(ReportPlans, TheSummaryNamesTheLowestStepAndTheLowestThinWall)

@@ -1,6 +1,11 @@
 #include <gtest/gtest.h>
 #include <mrpt_mapconv/params/Text.h>
 
+#include <cmath>
+#include <limits>
+
+namespace
+{
 using namespace mrpt_mapconv::params;
 
 TEST(Text, CountedIsSingularForOneOnly)
@@ -9,3 +14,22 @@ TEST(Text, CountedIsSingularForOneOnly)
   EXPECT_EQ("1 scan", counted(1, "scan"));
   EXPECT_EQ("2 scans", counted(2, "scan"));
 }
+
+TEST(Text, RoundedNumbersHaveThreeDecimalsAtMost)
+{
+  EXPECT_EQ(roundedText(std::sqrt(2.0)), "1.414");
+  EXPECT_EQ(roundedText(-0.447214), "-0.447");
+  EXPECT_EQ(roundedText(0.30000000000000004), "0.3");
+  EXPECT_EQ(roundedText(1200), "1200");
+  EXPECT_EQ(roundedText(-0.0001), "0");
+  EXPECT_EQ(roundedText(123456.7891), "123456.789");
+}
+
+TEST(Text, RoundedNumbersThatAreLargeOrNone)
+{
+  EXPECT_EQ(roundedText(1.27279e8), "1.273e+08");
+  EXPECT_EQ(roundedText(std::numeric_limits<double>::infinity()), "inf");
+  EXPECT_EQ(roundedText(std::numeric_limits<double>::max()), "1.798e+308");
+}
+
+}  // namespace

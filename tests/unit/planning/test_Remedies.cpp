@@ -26,8 +26,10 @@ class Room : public test::HandMap
         if (across && ky < doorRows) occupied(kx, ky, 0, sill);
       }
   }
-  Remedies remedies(freespace::Robot robot, double radius, double heightOffset = 0) const
+  Remedies remedies(freespace::Robot robot, double radius, double heightOffset = 0,
+                    bool withVoxels = true) const
   {
+    const voxel::VoxelSource* voxels = withVoxels ? &source() : nullptr;
     RobotPathQuery query;
     query.start = {1.05, 1.05};
     query.goal = {5.05, 1.05};
@@ -36,8 +38,8 @@ class Room : public test::HandMap
     query.lift.heightOffset = heightOffset;
     const freespace::ConversionParams conversion;
     const auto layers = convert(conversion);
-    EXPECT_FALSE(planRobotPath(layers, conversion, query, &source()).found());
-    return findRemedies(layers, conversion, query, &source());
+    EXPECT_FALSE(planRobotPath(layers, conversion, query, voxels).found());
+    return findRemedies(layers, conversion, query, voxels);
   }
 };
 
@@ -57,6 +59,22 @@ TEST(Remedies, AHigherStepWhereASillIsInTheWay)
   EXPECT_FALSE(found.robotRadius);
   ASSERT_TRUE(found.maxStep);
   EXPECT_NEAR(*found.maxStep, 0.4, 1e-9);
+}
+
+TEST(Remedies, NoRobotThatIsSmallerThanHalfACell)
+{
+  // a row of 2 cells: only a robot without extent fits in
+  for (const auto robot : {freespace::Robot::Ground, freespace::Robot::Aerial})
+    EXPECT_FALSE(Room(2, 0).remedies(robot, 0.3, 1).robotRadius);
+}
+
+TEST(Remedies, WithoutAVoxelMapNothingIsKnownOfAHigherStep)
+{
+  const auto ground = Room(20, 4).remedies(freespace::Robot::Ground, 0.3, 0, false);
+  EXPECT_FALSE(ground.maxStep);
+  EXPECT_TRUE(ground.maxStepUnknown);
+  EXPECT_FALSE(Room(20, 4).remedies(freespace::Robot::Ground, 0.3).maxStepUnknown);
+  EXPECT_FALSE(Room(0, 0).remedies(freespace::Robot::Aerial, 0.3, 0.5, false).maxStepUnknown);
 }
 
 TEST(Remedies, NoStepAsHighAsTheRobot)

@@ -28,6 +28,10 @@ inline std::string decimalText(double value)
   return {text.data(), end};
 }
 
+/** A measured or computed number for messages: three decimals at most, none that say nothing; from
+ * a million on four digits. */
+std::string roundedText(double value);
+
 /** Reads a text that is a number from its first to its last character, whatever the locale.
  * \return false, and the number as it was, for any other text */
 template <class Number>

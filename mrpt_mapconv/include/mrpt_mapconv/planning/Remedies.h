@@ -10,9 +10,14 @@ namespace mrpt_mapconv::planning
  * nearest to the present one that was found to do; nothing where none did. */
 struct Remedies
 {
-  std::optional<double> robotRadius;   //!< in whole centimetres [m]
-  std::optional<double> heightOffset;  //!< of an aerial robot, whole cells from the present one [m]
-  std::optional<double> maxStep;       //!< to convert with for a ground robot, whole voxels [m]
+  /** In whole centimetres, half a cell at least: a map tells nothing of a smaller robot [m]. */
+  std::optional<double> robotRadius;
+  /** Of an aerial robot, whole cells from the present one, to a millimetre [m]. */
+  std::optional<double> heightOffset;
+  /** What a ground robot would have to climb, and the map to be converted with: whole voxels,
+   * rounded up to a millimetre [m]. */
+  std::optional<double> maxStep;
+  bool maxStepUnknown = false;  //!< not tried, for want of a voxel map
 };
 
 /** Tries, with few attempts each, smaller radii, other height offsets, and higher steps up to
