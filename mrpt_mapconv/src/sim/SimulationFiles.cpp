@@ -220,15 +220,28 @@ grid::Layer<float> logarithmOf(grid::Layer<float> counts)
   return counts;
 }
 
+/** The truth has no evidence: all is known. */
+std::vector<grid::StyledLayer> truthBands(const freespace::Layers& layers)
+{
+  std::vector<grid::StyledLayer> bands;
+  for (const auto& entry : freespace::Layers::list())
+    if (!entry.isOfGround())
+    {
+      bands.push_back(layers.styled(entry.name));
+      bands.back().evidence = nullptr;
+    }
+  return bands;
+}
+
 void writeTruth(files::OutputDir& out, const Scenario& scenario, const grid::Layer<float>& inView)
 {
   const auto layers = truthLayers(scenario.world, inView.frame(), scenario.truth);
-  auto bands = layers.styled();
+  auto bands = truthBands(layers);
   bands.push_back({"inView", &inView});
   grid::exportLayers(out, bands, {"truth.tif"});
 
   const auto seen = logarithmOf(inView);
-  auto pictures = layers.styled();
+  auto pictures = truthBands(layers);
   for (grid::StyledLayer& layer : pictures)
   {
     layer.title = truthTitle(layer);

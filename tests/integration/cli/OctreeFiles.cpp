@@ -34,6 +34,11 @@ const std::vector<double> HandMap::aerial = {0, 0, 1,    0, -1,  //
 const std::vector<double> HandMap::ground = {0, 0, 1,    0, -1,  //
                                              0, 0, 0.75, 0, -1,  //
                                              0, 0, 0,    1, -1};
+// Seen but for: walls at (0, 1), (0, 2) and (2, 3), nothing at (2, 1), whose free voxel is too low
+// a range, and at (2, 2).
+const std::vector<double> HandMap::evidence = {1, 1, 4, 1, 0,  //
+                                               1, 1, 4, 1, 0,  //
+                                               1, 1, 1, 1, 4};
 const std::vector<double> HandMap::projection = {0, 0, 1, 0, -1,  //
                                                  0, 0, 1, 0, -1,  //
                                                  0, 0, 0, 1, -1};

@@ -25,7 +25,7 @@ struct HandMap
   static constexpr double xMin = -1.0, yMin = 0.5, xMax = 1.5, yMax = 2.0;
 
   /** Layers by rows from the lowest y; NaN: no data. */
-  static const std::vector<double> floor, ceiling, slope, aerial, ground;
+  static const std::vector<double> floor, ceiling, slope, aerial, ground, evidence;
   static constexpr int free = 10, occupied = 2, unknown = 3;
   static constexpr int steep = 1;               //!< (1, 3)
   static constexpr int steepWithMaxStep09 = 3;  //!< and its neighbours (0, 3) and (1, 2), 1 m lower

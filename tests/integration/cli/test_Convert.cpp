@@ -76,9 +76,9 @@ TEST_F(Convert, succeeds)
 TEST_F(Convert, writesAllFilesAndNoOther)
 {
   const std::set<std::string> expected = {
-      "layers.tif",  "voxels.bt",  "aerial.gridmap", "ground.gridmap", "aerial.pgm",
-      "aerial.yaml", "ground.pgm", "ground.yaml",    "floor.png",      "ceiling.png",
-      "slope.png",   "aerial.png", "ground.png",     "map.3Dscene"};
+      "layers.tif", "voxels.bt",   "aerial.gridmap", "ground.gridmap", "aerial.pgm", "aerial.yaml",
+      "ground.pgm", "ground.yaml", "floor.png",      "ceiling.png",    "slope.png",  "aerial.png",
+      "ground.png", "map.3Dscene", "support.png",    "evidence.png"};
   EXPECT_EQ(expected, filesIn(s_dir->path("out")));
 }
 
@@ -91,11 +91,9 @@ TEST_F(Convert, geoTiffHoldsTheHandWorkedLayers)
   EXPECT_EQ(expected, raster.transform);
 
   const std::vector<std::pair<std::string, const std::vector<double>*>> bands = {
-      {"floor", &HandMap::floor},
-      {"ceiling", &HandMap::ceiling},
-      {"slope", &HandMap::slope},
-      {"aerial", &HandMap::aerial},
-      {"ground", &HandMap::ground}};
+      {"floor", &HandMap::floor},      {"ceiling", &HandMap::ceiling}, {"slope", &HandMap::slope},
+      {"aerial", &HandMap::aerial},    {"ground", &HandMap::ground},   {"support", &HandMap::floor},
+      {"evidence", &HandMap::evidence}};
   ASSERT_EQ(bands.size(), raster.bands.size());
   for (std::size_t i = 0; i < bands.size(); ++i)
   {
@@ -253,7 +251,7 @@ TEST_F(Convert, replacesItsFilesAndLeavesOthersAlone)
   ASSERT_EQ(0, mapconv({"convert", input(), "-o", dir.path("out")}).status);
   EXPECT_EQ("mine", readBytes(dir.path("out/notes.txt")));
   EXPECT_EQ(readBytes(output("aerial.pgm")), readBytes(dir.path("out/aerial.pgm")));
-  EXPECT_EQ(15u, filesIn(dir.path("out")).size());
+  EXPECT_EQ(17u, filesIn(dir.path("out")).size());
 }
 
 TEST_F(Convert, clearanceThatIsNowhereGivesUnknownLayersAndAWarning)

@@ -34,7 +34,7 @@ TEST(RealData, corridor)
   EXPECT_GT(json["free"].number, 25000);
   EXPECT_GT(json["occupied"].number, 0);
   EXPECT_EQ(487 * 187, json["free"].number + json["occupied"].number + json["unknown"].number);
-  EXPECT_EQ(5u, readRaster(dir.path("out/layers.tif")).bands.size());
+  EXPECT_EQ(7u, readRaster(dir.path("out/layers.tif")).bands.size());
 
   const JsonValue info = parseJson(mapconv({"info", file, "--json"}).out);
   EXPECT_EQ(428144, info["leaves"].number);

@@ -94,6 +94,52 @@ TEST_F(Reports, InALogWorkThatTakesLongSaysSo)
   EXPECT_EQ("mapconv: progress: reading stdin (10 s)\n", run.progress);
 }
 
+/** Whether a robot of this radius gets from one place to another on a map with evidence. */
+bool isWay(const std::string& map, const std::string& from, const std::string& to,
+           const std::string& radius, const std::string& csv)
+{
+  const auto run = mapconv({"plan", map, "--robot", "ground", "--from=" + from, "--to=" + to,
+                            "--robot-radius", radius, "-o", csv});
+  EXPECT_TRUE(run.status == 0 || contains(run.err, "no path")) << run.err;
+  return run.status == 0;
+}
+
+TEST_F(Reports, WithEvidenceNoWayLeadsOverACliffOrAFence)
+{
+  const std::string csv = m_dir.path("way.csv");
+  for (const std::string floorFrom : {"lowestFree", "seen"})
+  {
+    const std::string map = m_dir.path("cliff_" + floorFrom);
+    const auto run = mapconv({"convert", kReports + "cliff.bt", "-o", map, "--json", "--max-step",
+                              "0.2", "--floor-from", floorFrom});
+    ASSERT_EQ(0, run.status) << run.err;
+    EXPECT_EQ(floorFrom == "lowestFree", isWay(map, "-5,0", "8,0", "0.3", csv)) << floorFrom;
+    if (floorFrom == "seen")
+    {
+      EXPECT_GT(parseJson(run.out)["frontier"].number, 3000) << "nobody saw what is under the edge";
+    }
+  }
+  const std::string fence = m_dir.path("fence");
+  ASSERT_EQ(0, mapconv({"convert", kReports + "fence09.bt", "-o", fence, "--max-step", "0.2",
+                        "--floor-from", "seen"})
+                   .status);
+  EXPECT_FALSE(isWay(fence, "-3,0", "3,0", "0.3", csv));
+}
+
+TEST_F(Reports, WithEvidenceACorridorIsFreeWhereItsFloorIsBetweenTheLidarsRings)
+{
+  const std::string file = MRPT_MAPCONV_SHARED_DIR "/geb079.bt";
+  for (const std::string floorFrom : {"lowestFree", "seen"})
+  {
+    const std::string map = m_dir.path(floorFrom), csv = m_dir.path("way.csv");
+    ASSERT_EQ(0,
+              mapconv({"convert", file, "-o", map, "--max-step", "0.16", "--floor-from", floorFrom})
+                  .status);
+    EXPECT_EQ(floorFrom == "seen", isWay(map, "13,-0.6", "25,0.6", "0.3", csv)) << floorFrom;
+    EXPECT_EQ(floorFrom == "seen", isWay(map, "-5,-0.7", "2,-0.7", "0.35", csv)) << floorFrom;
+  }
+}
+
 TEST_F(Reports, AnIniFileMayBeginWithAByteOrderMark)
 {
   const auto run =

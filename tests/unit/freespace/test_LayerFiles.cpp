@@ -37,6 +37,24 @@ std::string failure(const std::string& path)
 }
 }  // namespace
 
+TEST(LayerFiles, OfVersionsThatKnewNoEvidenceMeanThatTheFloorIsTheGround)
+{
+  const TempDir dir;
+  const std::string path = dir.path("layers.tif");
+  const auto layers = sample();
+  grid::Metadata items = freespace::metadataOf({});
+  for (const char* later : {"floorFrom", "maxGap", "maxHiddenGap", "unknown"}) items.erase(later);
+  auto bands = layers.styled();
+  bands.resize(5);
+  grid::writeGeoTiff(path, bands, items);
+  const auto file = freespace::readLayersTiff(path);
+  EXPECT_EQ(freespace::FloorFrom::LowestFree, file.params.floorFrom);
+  EXPECT_EQ(0.3f, file.layers.support.at(0, 1));
+  EXPECT_TRUE(std::isnan(file.layers.support.at(1, 0)));
+  EXPECT_EQ(layers.frame(), file.layers.evidence.frame());
+  EXPECT_EQ(0, file.layers.evidence.at(0, 0));
+}
+
 TEST(LayerFiles, LayersAndParametersComeBack)
 {
   const TempDir dir;
