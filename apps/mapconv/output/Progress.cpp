@@ -66,7 +66,8 @@ void Progress::printLine() const
   if (m_name.empty()) return;
   const std::string share =
       m_share < 0 ? "" : ": " + std::to_string(static_cast<int>(100 * m_share)) + " %";
-  writeMessage("mapconv: progress: " + m_name + share + " (" + std::to_string(secondsPassed()) + " s)\n");
+  writeMessage("mapconv: progress: " + m_name + share + " (" + std::to_string(secondsPassed()) +
+               " s)\n");
 }
 
 int Progress::secondsPassed() const
