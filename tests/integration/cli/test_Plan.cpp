@@ -8,6 +8,7 @@
 #include <fstream>
 #include <sstream>
 
+#include "PathRows.h"
 #include "Program.h"
 #include "StrictJson.h"
 #include "support/TempDir.h"
@@ -16,27 +17,6 @@ using namespace mrpt_mapconv::testing;
 
 namespace
 {
-struct Row
-{
-  double x, y, z;
-};
-
-std::vector<Row> rowsOf(const std::string& path)
-{
-  std::ifstream in(path);
-  std::string line;
-  std::getline(in, line);
-  EXPECT_EQ("x,y,z", line);
-  std::vector<Row> rows;
-  while (std::getline(in, line))
-  {
-    Row row{};
-    EXPECT_EQ(3, std::sscanf(line.c_str(), "%lf,%lf,%lf", &row.x, &row.y, &row.z)) << line;
-    rows.push_back(row);
-  }
-  return rows;
-}
-
 double lengthOf(const std::vector<Row>& rows)
 {
   double length = 0;

@@ -8,6 +8,7 @@
 #include <regex>
 
 #include "OctreeFiles.h"
+#include "PathRows.h"
 #include "Program.h"
 #include "StrictJson.h"
 #include "support/TempDir.h"
@@ -17,22 +18,6 @@
 namespace
 {
 using namespace mrpt_mapconv::testing;
-
-struct Row
-{
-  double x, y, z;
-};
-
-std::vector<Row> rowsOf(const std::string& path)
-{
-  std::ifstream in(path);
-  std::string line;
-  std::getline(in, line);
-  std::vector<Row> rows;
-  for (Row row{}; std::getline(in, line); rows.push_back(row))
-    EXPECT_EQ(3, std::sscanf(line.c_str(), "%lf,%lf,%lf", &row.x, &row.y, &row.z)) << line;
-  return rows;
-}
 
 class ReportPlans : public ::testing::Test
 {

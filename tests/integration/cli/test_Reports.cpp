@@ -1,8 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 
 #include "Program.h"
+#include "Raster.h"
 #include "StrictJson.h"
 #include "support/TempDir.h"
 
@@ -126,6 +128,33 @@ TEST_F(Reports, WithEvidenceNoWayLeadsOverACliffOrAFence)
   EXPECT_FALSE(isWay(fence, "-3,0", "3,0", "0.3", csv));
 }
 
+/** Shares of the ground cells whose centres lie in geb079's corridor, in percent. */
+struct Shares
+{
+  double occupied = 0, free = 0;
+};
+
+Shares corridorOf(const std::string& map)
+{
+  const Raster raster = readRaster(map + "/layers.tif");
+  const auto& ground = raster.bands.at(4);
+  EXPECT_EQ("ground", ground.name);
+  const double res = raster.transform[1], yMin = raster.transform[3] - raster.height * res;
+  Shares shares;
+  double cells = 0;
+  for (int iy = 0; iy < raster.height; ++iy)
+    for (int ix = 0; ix < raster.width; ++ix)
+    {
+      const double x = raster.transform[0] + (ix + 0.5) * res, y = yMin + (iy + 0.5) * res;
+      if (x < -5.5 || x > 27 || std::abs(y) > 1) continue;
+      const double cell = ground.cells.at(static_cast<std::size_t>(iy * raster.width + ix));
+      ++cells;
+      shares.occupied += cell > 0;
+      shares.free += cell == 0;
+    }
+  return {100 * shares.occupied / cells, 100 * shares.free / cells};
+}
+
 TEST_F(Reports, WithEvidenceACorridorIsFreeWhereItsFloorIsBetweenTheLidarsRings)
 {
   const std::string file = MRPT_MAPCONV_SHARED_DIR "/geb079.bt";
@@ -135,6 +164,10 @@ TEST_F(Reports, WithEvidenceACorridorIsFreeWhereItsFloorIsBetweenTheLidarsRings)
     ASSERT_EQ(0,
               mapconv({"convert", file, "-o", map, "--max-step", "0.16", "--floor-from", floorFrom})
                   .status);
+    // the figures in share/doc/mapconv.md
+    const Shares shares = corridorOf(map);
+    EXPECT_NEAR(floorFrom == "seen" ? 5.6 : 20.1, shares.occupied, 0.05) << floorFrom;
+    EXPECT_NEAR(floorFrom == "seen" ? 93.0 : 78.6, shares.free, 0.05) << floorFrom;
     EXPECT_EQ(floorFrom == "seen", isWay(map, "13,-0.6", "25,0.6", "0.3", csv)) << floorFrom;
     EXPECT_EQ(floorFrom == "seen", isWay(map, "-5,-0.7", "2,-0.7", "0.35", csv)) << floorFrom;
   }
