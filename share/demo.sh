@@ -80,9 +80,10 @@ else
   mkdir -p "$out"
   simulated_building
   scanned_office
-  # one scan leaves gaps between its beams: coarse voxels and a low robot
-  convert velodyne "$data/test_velodyne_VLP16.rawlog" --resolution 0.4 --min-clearance 0.4
-  convert rgbd "$data/tests_rgbd.rawlog" --resolution 0.05 --min-clearance 0.3
+  # one scan leaves gaps between its beams: coarse voxels and a low robot; and it saw hardly any
+  # ground, so that the lowest free voxel has to do for it
+  convert velodyne "$data/test_velodyne_VLP16.rawlog" --resolution 0.4 --min-clearance 0.4 --floor-from lowestFree
+  convert rgbd "$data/tests_rgbd.rawlog" --resolution 0.05 --min-clearance 0.3 --floor-from lowestFree
 fi
 show() { # the pictures that say most, side by side; on a desktop in a window
   local pictures=() picture

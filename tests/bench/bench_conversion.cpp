@@ -134,14 +134,19 @@ voxel::ColumnSet scattered(const grid::GridFrame& frame, double share)
 void convertAll(benchmark::State& state, const Subject& map, int threads)
 {
   compare(
-      state, [&] { benchmark::DoNotOptimize(freespace::convert(map.source, {}, threads)); },
+      state,
+      [&]
+      {
+        benchmark::DoNotOptimize(
+            freespace::convert(map.source, freespace::ConversionParams::paper(), threads));
+      },
       [&] { map.walkLeaves(); }, "ratio_to_leaf_walk");
   state.counters["leaves"] = static_cast<double>(map.tree->getNumLeafNodes());
 }
 
 freespace::ConversionParams seenParams()
 {
-  freespace::ConversionParams params;
+  auto params = freespace::ConversionParams::paper();
   params.maxStep = 0.2;
   params.floorFrom = freespace::FloorFrom::Seen;
   return params;
@@ -171,7 +176,7 @@ void projectAll(benchmark::State& state, const Subject& map)
 
 /** \param cold a full conversion before each update drives the columns' nodes out of the caches */
 void updatePart(benchmark::State& state, const Subject& map, bool inOneSquare, bool cold = false,
-                const freespace::ConversionParams& params = {})
+                const freespace::ConversionParams& params = freespace::ConversionParams::paper())
 {
   freespace::IncrementalLayers layers(params, 1);
   layers.rebuild(map.source);
@@ -198,7 +203,7 @@ void memoryOf(benchmark::State& state, const voxel::VoxelSource& source, int thr
   {
     const std::size_t before = allocated;
     peak = before;
-    const auto layers = freespace::convert(source, {}, threads);
+    const auto layers = freespace::convert(source, freespace::ConversionParams::paper(), threads);
     layersSize = 7.0 * sizeof(float) * static_cast<double>(layers.frame().size());
     extra = static_cast<double>(peak - before) - layersSize;
   }

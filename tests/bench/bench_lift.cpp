@@ -32,7 +32,7 @@ double seconds(const std::function<void()>& task)
 /** What is lifted: layers, a path over them, parameters and perhaps the voxel map. */
 struct Subject
 {
-  freespace::ConversionParams conversion;
+  freespace::ConversionParams conversion = freespace::ConversionParams::paper();
   path::LiftParams params;
   freespace::Layers layers;
   Path path;

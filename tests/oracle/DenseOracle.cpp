@@ -108,6 +108,11 @@ void markGround(double resolution, double maxStep, DenseResult& result)
     }
 }
 
+double maxStepOf(const freespace::ConversionParams& params, double resolution)
+{
+  return params.maxStep ? *params.maxStep : std::max(0.2, resolution);
+}
+
 DenseMap unknownAsFree(DenseMap map)
 {
   int top = -1;
@@ -145,7 +150,7 @@ DenseResult convert(const DenseMap& read, const freespace::ConversionParams& par
   }
   supportIsFloor(map.resolution, result);
   fitSlopes(params.slopeWindow, params.maxSlope, result);
-  markGround(map.resolution, params.maxStep, result);
+  markGround(map.resolution, maxStepOf(params, map.resolution), result);
   return result;
 }
 

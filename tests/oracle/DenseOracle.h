@@ -67,6 +67,9 @@ struct DenseStatistics
   std::size_t frontier = 0, inferred = 0;
 };
 
+/** maxStep in metres, what auto stands for included; 0 if steps are not looked for. */
+double maxStepOf(const freespace::ConversionParams& params, double resolution);
+
 /** The map as it is read with unknown = free: in each column that has an occupied voxel, unknown
  * voxels above the lowest of them, up to the map's highest known voxel, are free. */
 DenseMap unknownAsFree(DenseMap map);

@@ -24,7 +24,8 @@ constexpr Step kAxes[] = {{1, 0}, {1, 1}, {0, 1}, {-1, 1}};
 /** h: so many whole voxels up or down are no step. */
 int stepVoxels(double resolution, const freespace::ConversionParams& params)
 {
-  const double metres = params.maxStep > 0 ? params.maxStep : std::max(0.2, resolution);
+  const double step = maxStepOf(params, resolution);
+  const double metres = step > 0 ? step : std::max(0.2, resolution);
   int voxels = 0;
   while (voxels + 1 <= metres / resolution + 1e-6) ++voxels;
   return voxels;
@@ -254,6 +255,7 @@ void judgeBySupport(double resolution, const freespace::ConversionParams& params
                     DenseResult& result)
 {
   const Rules rules{resolution, params, stepVoxels(resolution, params)};
+  const bool looksForSteps = maxStepOf(params, resolution) > 0;
   findSupports(rules, result);
   for (int iy = 0; iy < result.ny; ++iy)
     for (int ix = 0; ix < result.nx; ++ix)
@@ -262,8 +264,8 @@ void judgeBySupport(double resolution, const freespace::ConversionParams& params
       cell.ground = cell.free && !cell.hasSupport ? -1 : cell.aerial;
       if (!cell.hasSupport) continue;
       fitSlopeOfSupports(rules, ix, iy, result);
-      cell.isStep = params.maxStep > 0 && isStep(result, ix, iy, rules.h);
-      cell.isDrop = params.maxStep > 0 && isDropEdge(result, ix, iy, rules);
+      cell.isStep = looksForSteps && isStep(result, ix, iy, rules.h);
+      cell.isDrop = looksForSteps && isDropEdge(result, ix, iy, rules);
       if ((cell.hasSlope && cell.slopeTooHigh) || cell.isStep || cell.isDrop) cell.ground = 1;
     }
 }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "DenseOracle.h"
+
 namespace mrpt_mapconv::oracle
 {
 namespace
@@ -34,7 +36,7 @@ PieceOracle::PieceOracle(const DenseMap& map, const freespace::ConversionParams&
     : m_map(map), m_conversion(conversion), m_bodyLow(0), m_bodyHigh(0)
 {
   if (robot == freespace::Robot::Aerial) return;
-  m_bodyLow = std::max(conversion.maxStep, map.resolution) - heightOffset;
+  m_bodyLow = std::max(maxStepOf(conversion, map.resolution), map.resolution) - heightOffset;
   m_bodyHigh = conversion.minClearance - heightOffset;
 }
 
@@ -67,7 +69,7 @@ bool PieceOracle::crossesOccupied(const TPoint3D& from, const TPoint3D& to) cons
 bool PieceOracle::stepTooHigh(double fromZ, double toZ, double distance) const
 {
   return std::abs(toZ - fromZ) >
-         std::max({m_conversion.maxStep, m_map.resolution,
+         std::max({maxStepOf(m_conversion, m_map.resolution), m_map.resolution,
                    m_conversion.maxSlope * std::max(distance, m_map.resolution)}) +
              1e-5;
 }

@@ -174,9 +174,9 @@ std::string text(const freespace::ConversionParams& params)
   out.precision(17);
   out << "minClearance " << params.minClearance << ", minOccupancy " << params.minOccupancy
       << ", slopeWindow " << params.slopeWindow << ", maxSlope " << params.maxSlope << ", maxStep "
-      << params.maxStep << ", unknown " << params::textOf(params.reading.unknown) << ", floorFrom "
-      << params::textOf(params.floorFrom) << ", maxGap " << params.maxGap << ", maxHiddenGap "
-      << params.maxHiddenGap;
+      << params::textOf(params.maxStep) << ", unknown " << params::textOf(params.reading.unknown)
+      << ", floorFrom " << params::textOf(params.floorFrom) << ", maxGap " << params.maxGap
+      << ", maxHiddenGap " << params.maxHiddenGap;
   return out.str();
 }
 

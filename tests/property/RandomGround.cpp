@@ -150,7 +150,7 @@ DenseMap randomGround(Rng& rng, double resolution)
 
 freespace::ConversionParams randomGroundParams(Rng& rng, double resolution)
 {
-  freespace::ConversionParams params;
+  auto params = freespace::ConversionParams::paper();
   params.floorFrom = freespace::FloorFrom::Seen;
   params.minClearance = pick(rng, 1, 8) * resolution;
   params.minOccupancy = 0.25 * pick(rng, 0, 4);
@@ -161,6 +161,7 @@ freespace::ConversionParams randomGroundParams(Rng& rng, double resolution)
   params.maxStep = chance(rng, 30)   ? 0
                    : chance(rng, 70) ? pick(rng, 1, 5) * resolution
                                      : uniform(rng, 0, 5 * resolution);
+  if (chance(rng, 15)) params.maxStep.reset();
   params.maxGap = chance(rng, 40) ? 6 : randomLength(rng, resolution);
   const double hidden = chance(rng, 40) ? 1 : randomLength(rng, resolution);
   params.maxHiddenGap = std::min(params.maxGap, hidden);

@@ -55,7 +55,7 @@ double randomStep(Rng& rng, double res)
 
 freespace::ConversionParams randomParams(Rng& rng, double res)
 {
-  freespace::ConversionParams params;
+  auto params = freespace::ConversionParams::paper();
   params.minClearance = randomClearance(rng, res);
   const double shares[] = {0, 1, 0.5, 0.25, 0.1, 0.3, 0.7};
   params.minOccupancy = chance(rng, 75) ? shares[pick(rng, 0, 6)] : uniform(rng, 0, 1);
@@ -63,7 +63,10 @@ freespace::ConversionParams randomParams(Rng& rng, double res)
   params.slopeWindow = chance(rng, 95) ? pick(rng, 1, 5) : wideWindows[pick(rng, 0, 4)];
   const double slopes[] = {0, 0.5, 1, 1.5, 2, 3, 0.3};
   params.maxSlope = chance(rng, 70) ? slopes[pick(rng, 0, 6)] : uniform(rng, 0, 4);
-  params.maxStep = randomStep(rng, res);
+  if (chance(rng, 85))
+    params.maxStep = randomStep(rng, res);
+  else
+    params.maxStep.reset();
   if (chance(rng, 30)) params.reading.unknown = voxel::Unknown::Free;
   return params;
 }
@@ -119,7 +122,7 @@ TEST(ConversionExtremes, WholeRangeOfHeights)
       tree.setNodeValue(oracle::octomapKey(pick(rng, 30, 33), pick(rng, -2, 1), kz),
                         chance(rng, 70) ? -0.4f : 0.85f, true);
     }
-    freespace::ConversionParams params;
+    auto params = freespace::ConversionParams::paper();
     params.minClearance = 0.14;
     params.minOccupancy = 0;
     const oracle::DenseMap map = oracle::denseMap(tree);
@@ -149,7 +152,7 @@ TEST(ConversionExtremes, WideWindowsOverTheWholeRangeOfFloors)
           chance(rng, 80) ? (ix + iy < kSide ? -32768 : 32767) : pick(rng, -32768, 32767);
       if (cell.free) tree.setNodeValue(oracle::octomapKey(ix, iy, cell.floorKey), -0.4f, true);
     }
-  freespace::ConversionParams params;
+  auto params = freespace::ConversionParams::paper();
   params.minClearance = 0;
   for (const int window : {20, 21, 100})
   {
@@ -182,7 +185,7 @@ TEST(ConversionOfRealData, AgreesWithTheOracle)
   for (const double minClearance : {1.0, 0.4})
     for (const double maxStep : {0.0, 0.16})
     {
-      freespace::ConversionParams params;
+      auto params = freespace::ConversionParams::paper();
       params.minClearance = minClearance;
       params.maxStep = maxStep;
       SCOPED_TRACE(text(params));

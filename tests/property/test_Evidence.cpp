@@ -213,7 +213,7 @@ void expectAgreesOn(const DenseMap& map, const voxel::VoxelSource& source, std::
   for (const double maxStep : {0.0, 0.16, 0.35})
     for (const double maxGap : {6.0, 2.0})
     {
-      ConversionParams params;
+      auto params = ConversionParams::paper();
       params.floorFrom = freespace::FloorFrom::Seen;
       params.maxStep = maxStep;
       params.maxGap = maxGap;

@@ -20,12 +20,13 @@ using Source = voxel::OctreeSource<octomap::OcTree>;
 
 freespace::ConversionParams randomParams(Rng& rng, double res)
 {
-  freespace::ConversionParams params;
+  auto params = freespace::ConversionParams::paper();
   params.minClearance = pick(rng, 0, 8) * res;
   params.minOccupancy = chance(rng, 50) ? 0.25 * pick(rng, 0, 4) : uniform(rng, 0, 1);
   params.slopeWindow = chance(rng, 90) ? pick(rng, 1, 6) : 40;
   params.maxSlope = uniform(rng, 0, 3);
   params.maxStep = chance(rng, 50) ? pick(rng, 1, 5) * res : 0;
+  if (chance(rng, 20)) params.maxStep.reset();
   if (chance(rng, 30)) params.reading.unknown = voxel::Unknown::Free;
   if (chance(rng, 50)) params.floorFrom = freespace::FloorFrom::Seen;
   params.maxGap = pick(rng, 0, 30) * res;
@@ -115,7 +116,7 @@ TEST(Incremental, ClearedLayersFollowAgain)
   Rng rng(7);
   MapEditor editor(rng, 0.1, -31, 4, 0);
   const Source source(editor.tree());
-  freespace::IncrementalLayers followed({}, 1);
+  freespace::IncrementalLayers followed(freespace::ConversionParams::paper(), 1);
   followed.rebuild(source);
   followed.clear();
   EXPECT_TRUE(followed.layers().frame().empty());
@@ -141,7 +142,7 @@ TEST(Incremental, LayingOutAnewStaysRareInAGrowingMap)
     SCOPED_TRACE(d.name);
     octomap::OcTree tree(0.1);
     const Source source(tree);
-    freespace::IncrementalLayers followed({}, 1);
+    freespace::IncrementalLayers followed(freespace::ConversionParams::paper(), 1);
     int relayouts = 0;
     for (int step = 0; step < 1000; ++step)
     {
@@ -247,7 +248,7 @@ TEST(Incremental, ReadsOnlyWhatDependsOnTheChange)
                           true);
   const Source source(tree);
   const WatchedSource watched(source);
-  freespace::ConversionParams params;
+  auto params = freespace::ConversionParams::paper();
   params.slopeWindow = 5;
   freespace::IncrementalLayers followed(params, 2);
   followed.rebuild(watched);
@@ -302,7 +303,7 @@ TEST(Incremental, ReadsNoColumnThatCannotChange)
   makeHall(tree);
   const Source source(tree);
   WatchedSource watched(source);
-  freespace::IncrementalLayers followed({}, 1);
+  freespace::IncrementalLayers followed(freespace::ConversionParams::paper(), 1);
   followed.rebuild(watched);
   const auto only = [](int kx, int ky)
   {

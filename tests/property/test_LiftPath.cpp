@@ -200,7 +200,7 @@ TEST(LiftPath, AgreesWithTheOracleOnRandomHeights)
   {
     Rng rng(seed);
     const double res = kResolutions[seed % 5];
-    freespace::ConversionParams conversion;
+    auto conversion = freespace::ConversionParams::paper();
     path::LiftParams params;
     randomParams(rng, res, conversion, params);
     const freespace::Layers layers = randomLayers(rng, res);
@@ -256,7 +256,7 @@ TEST(LiftPath, AgreesWithTheOracleOnRandomVoxelMaps)
       randomTree(rng, randomShape(rng), tree);
     const voxel::OctreeSource<octomap::OcTree> source(tree);
     const oracle::DenseMap dense = oracle::denseMap(tree);
-    freespace::ConversionParams conversion;
+    auto conversion = freespace::ConversionParams::paper();
     path::LiftParams params;
     randomParams(rng, res, conversion, params);
     const freespace::Layers layers = freespace::convert(source, conversion, 1);

@@ -70,7 +70,7 @@ TEST(PieceCheck, FindsWhatTheVoxelsSay)
     const oracle::DenseMap voxels = oracle::denseMap(tree);
     const voxel::OctreeSource<octomap::OcTree> source(tree);
 
-    freespace::ConversionParams conversion;
+    auto conversion = freespace::ConversionParams::paper();
     conversion.minClearance = pick(rng, 1, 8) * 0.5 * res;
     conversion.maxStep = chance(rng, 50) ? 0 : uniform(rng, 0, 3) * res;
     conversion.maxSlope = uniform(rng, 0, 3);

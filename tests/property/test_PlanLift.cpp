@@ -84,7 +84,7 @@ TEST(PlanLift, EveryPlannedPathIsAccepted)
     fillWithSteps(rng, tree);
     const voxel::OctreeSource<octomap::OcTree> source(tree);
 
-    freespace::ConversionParams conversion;
+    auto conversion = freespace::ConversionParams::paper();
     conversion.minClearance = pick(rng, 5, 12) * res;
     conversion.maxStep = chance(rng, 60) ? 0 : pick(rng, 1, 3) * res;
     conversion.maxSlope = pick(rng, 1, 3) + uniform(rng, 0.001, 0.1);  // steps are just low enough

@@ -60,7 +60,7 @@ void expectStripsDoNotMatter(std::int32_t width, std::int32_t height, std::int32
   SCOPED_TRACE(std::to_string(width) + " x " + std::to_string(height) + ", window " +
                std::to_string(window) + ", floorFrom " + params::textOf(floorFrom));
   const ArithmeticSource source(width, height);
-  freespace::ConversionParams params;
+  auto params = freespace::ConversionParams::paper();
   params.slopeWindow = window;
   params.maxStep = 0.3;
   params.floorFrom = floorFrom;

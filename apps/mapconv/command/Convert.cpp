@@ -4,6 +4,7 @@
 #include <mrpt_mapconv/freespace/DropEdges.h>
 #include <mrpt_mapconv/freespace/LayerFiles.h>
 #include <mrpt_mapconv/grid/LayerExport.h>
+#include <mrpt_mapconv/params/Text.h>
 #include <mrpt_mapconv/voxel/OctreeFile.h>
 #include <octomap/AbstractOccupancyOcTree.h>
 
@@ -46,7 +47,7 @@ void writeOutputs(const freespace::Layers& layers, const ConversionParams& param
   const auto edges = freespace::dropEdges(layers, params);
   grid::exportLayers(out, layers.styled(edges), formats,
                      [&](double share) { progress.done(kLayersShare * share); });
-  writeScene(out.path("map.3Dscene"), layers);
+  writeScene(out.path("map.3Dscene"), layers, params);
   progress.done(1);
 }
 
@@ -65,15 +66,31 @@ void warnAbout(const freespace::LayerStatistics& counts, const ConversionParams&
     printWarning("nowhere are minClearance = " + jsonNumber(params.minClearance) +
                  " m of free space above each other, so all layers are unknown; a smaller "
                  "--min-clearance finds lower free space");
+  if (2 * counts.frontier > counts.free)
+    printWarning(
+        "under most of the free cells nobody saw the ground (frontier), so they are unknown to a "
+        "ground robot; for maps of few scans --floor-from lowestFree takes the lowest free voxel "
+        "for "
+        "it, seen or not");
   constexpr double kHighStep = 0.3;
   const double minStep = params.minStep(resolution);
-  const bool stepsChecked = params.maxStep > 0 && params.maxStep <= kHighStep;
+  const bool stepsChecked = params.looksForSteps() && params.stepHeight(resolution) <= kHighStep;
   if (minStep > kHighStep && !stepsChecked)
     printWarning(
         mrpt::format("the slope test marks straight steps for the ground robot only from "
                      "minStep = %.2f m on, and walls one cell thick from minThinWall = %.2f m on; "
                      "--max-step %.2g, say, also marks lower ones",
                      minStep, params.minThinWall(resolution), std::max(0.1, 1.5 * resolution)));
+}
+
+/** Those of some names that are among the keys. */
+std::vector<std::string> amongst(const std::vector<std::string>& keys,
+                                 std::vector<std::string> names)
+{
+  const auto isMissing = [&keys](const std::string& name)
+  { return std::find(keys.begin(), keys.end(), name) == keys.end(); };
+  names.erase(std::remove_if(names.begin(), names.end(), isMissing), names.end());
+  return names;
 }
 
 std::string jsonSummary(const SummaryHead& head, const freespace::LayerStatistics& counts,
@@ -109,8 +126,11 @@ std::string textSummary(const SummaryHead& head, const freespace::LayerStatistic
       "minThinWall  %.2f m: lowest wall one cell thick that it marks, on either side; single posts "
       "hardly ever; ",
       params.minStep(head.frame.resolution), params.minThinWall(head.frame.resolution));
-  text += params.maxStep > 0 ? "maxStep marks those above " + jsonNumber(params.maxStep) + " m\n"
-                             : std::string("maxStep is off\n");
+  text += params.looksForSteps()
+              ? "maxStep marks those above " +
+                    mrpt_mapconv::params::roundedText(params.stepHeight(head.frame.resolution)) +
+                    " m\n"
+              : std::string("maxStep is off\n");
   return text + secondsText(seconds);
 }
 
@@ -123,8 +143,11 @@ int convert(const ConvertOptions& options)
   request.insertion = ini.insertion;
   request.insertionKeys = ini.insertionKeys;
   const auto& keys = ini.conversionKeys;
-  if (std::find(keys.begin(), keys.end(), "robot") != keys.end())
-    request.noEffect.addKeys({"robot"}, request.iniFile, "convert makes layers for both");
+  request.noEffect.addKeys(amongst(keys, {"robot"}), request.iniFile,
+                           "convert makes layers for both");
+  if (params.floorFrom == freespace::FloorFrom::LowestFree)
+    request.noEffect.addKeys(amongst(keys, {"maxGap", "maxHiddenGap"}), request.iniFile,
+                             "floorFrom is lowestFree");
   job.checkOutput(options.outputDir);
 
   const InputMap input = job.stage("load", [&] { return InputMap(request, job.progress()); });

@@ -37,6 +37,10 @@ std::string tableOf(const std::string& where, const std::string& program)
         table += std::string("| `") + name + "` | " + value + " | " + unit + " | " + meaning +
                  " | " + (hasFlag ? "`" + flagName(name) + "`" : "") + " |\n";
       });
+  if constexpr (params::hasNamedSet<Params>)
+    table += std::string("| `") + Params::kNamedSet + "` | false | | " + Params::kNamedSetMeaning +
+             "; other keys replace what they name | " +
+             (program.empty() ? "" : "`" + flagName(Params::kNamedSet) + "`") + " |\n";
   return table;
 }
 

@@ -48,6 +48,9 @@ class FieldFlags
                               withUnit(meaning, unit) + ", default " + fields::textOf(field);
                           add(app, name, field, help, first)->type_name(about.flagType);
                         });
+    if constexpr (fields::hasNamedSet<Params>)
+      app.add_flag(flagName(Params::kNamedSet), m_isNamedSetTaken,
+                   std::string(Params::kNamedSetMeaning) + "; other flags replace what they name");
   }
 
   bool given(const std::string& field) const { return m_given.count(field) != 0; }
@@ -55,6 +58,8 @@ class FieldFlags
    */
   void applyTo(Params& params) const
   {
+    if constexpr (mrpt_mapconv::params::hasNamedSet<Params>)
+      if (m_isNamedSetTaken) params.takeNamedSet();
     mrpt_mapconv::params::visitFields(params,
                                       [this](const char* name, auto&& field, const char*,
                                              const char*, mrpt_mapconv::params::About = {})
@@ -96,6 +101,16 @@ class FieldFlags
     }
   }
 
+  template <class Number>
+  CLI::Option* add(CLI::App& app, const std::string& name, const std::optional<Number>&,
+                   const std::string& help, const std::optional<CLI::Validator>&)
+  {
+    return app
+        .add_option_function<std::string>(
+            flagName(name), [this, name](const std::string& text) { m_given[name] = text; }, help)
+        ->check(isValidOrAuto<std::optional<Number>>(name));
+  }
+
   /** What is valid is asked of the struct, which may complain of other fields: those come later. */
   template <class Value>
   static CLI::Validator isValid(const std::string& name)
@@ -107,6 +122,20 @@ class FieldFlags
           Value value{};
           // What is no number is left to the parser's own complaint.
           if (!CLI::detail::lexical_cast(text, value)) return std::string();
+          return complaintAbout(name, value);
+        },
+        "");
+  }
+
+  template <class Field>
+  static CLI::Validator isValidOrAuto(const std::string& name)
+  {
+    return CLI::Validator(
+        [name](std::string& text)
+        {
+          Field value;
+          if (!mrpt_mapconv::params::setFromText(text, value))
+            return "'" + text + "' is neither a number nor auto";
           return complaintAbout(name, value);
         },
         "");
@@ -140,6 +169,7 @@ class FieldFlags
   }
 
   Params m_defaults;
+  bool m_isNamedSetTaken = false;
   std::map<std::string, std::string> m_given;  //!< by the field's name
 };
 

@@ -51,9 +51,10 @@ template <class Params>
 void addFields(const Params& params, JsonObject& json)
 {
   namespace fields = mrpt_mapconv::params;
-  fields::visitFields(params,
-                      [&json](const char* name, const auto& field, const char*, const char*,
-                              fields::About = {}) { json.add(name, fields::shownValue(field)); });
+  fields::visitFields(
+      params,
+      [&json](const char* name, const auto& field, const char*, const char*, fields::About = {})
+      { fields::showValue(field, [&](const auto& value) { json.add(name, value); }); });
 }
 
 }  // namespace mapconv

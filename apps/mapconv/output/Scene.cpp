@@ -3,6 +3,7 @@
 #include <mrpt/opengl/CGridPlaneXY.h>
 #include <mrpt/opengl/COpenGLScene.h>
 #include <mrpt_mapconv/files/ObjectWriter.h>
+#include <mrpt_mapconv/freespace/DropEdges.h>
 #include <mrpt_mapconv/freespace/FreeSpaceScene.h>
 
 #include <algorithm>
@@ -10,10 +11,12 @@
 
 namespace mapconv
 {
+using namespace mrpt_mapconv;
+
 namespace
 {
-using mrpt_mapconv::freespace::Layers;
-using mrpt_mapconv::grid::GridFrame;
+using freespace::Layers;
+using grid::GridFrame;
 
 /** Lines on whole multiples of their distance, around the map; 1 m apart unless the map is large.
  */
@@ -44,25 +47,29 @@ void setCamera(mrpt::opengl::COpenGLScene& scene, const GridFrame& frame, double
   camera.setElevationDegrees(50);
 }
 
-mrpt::opengl::COpenGLScene sceneOf(const Layers& layers)
+mrpt::opengl::COpenGLScene sceneOf(const Layers& layers, const freespace::ConversionParams& params)
 {
-  const double below = mrpt_mapconv::grid::heightBelow(layers.floor);
+  const double below = grid::heightBelow(layers.floor);
   auto objects = mrpt::opengl::CSetOfObjects::Create();
-  mrpt_mapconv::freespace::drawFreeSpace(layers, {}, *objects);
-  mrpt_mapconv::grid::drawOccupancy(layers.ground, below, false, *objects);
+  const auto edges = freespace::dropEdges(layers, params);
+  const auto ground = grid::findLayer(layers.styled(edges), "ground");
+  freespace::drawGround(layers, {}, ground, *objects);
+  grid::drawOccupancy(layers.ground, below, false, *objects);
 
   mrpt::opengl::COpenGLScene scene;
   scene.insert(referenceGrid(layers.frame(), below - layers.frame().resolution));
   scene.insert(objects);
   setCamera(scene, layers.frame(), below);
+  grid::drawLegend(ground, *scene.getViewport());
   return scene;
 }
 
 }  // namespace
 
-void writeScene(const std::string& path, const Layers& layers)
+void writeScene(const std::string& path, const Layers& layers,
+                const freespace::ConversionParams& params)
 {
-  mrpt_mapconv::files::writeObject(path, sceneOf(layers));
+  files::writeObject(path, sceneOf(layers, params));
 }
 
 }  // namespace mapconv

@@ -312,7 +312,7 @@ float AerialPass::wallOccupancy(const BlockPlace& place, std::int32_t x, std::in
 GroundPass::GroundPass(const ConversionParams& params, Layers& layers)
     : m_params(params),
       m_layers(layers),
-      m_checkSteps(params.maxStep > 0),
+      m_checkSteps(params.looksForSteps()),
       m_maxStep(kSupportUnits * params.maxStepVoxels(layers.frame().resolution)),
       m_drops(params, layers),
       m_supports(params.slopeWindow, kSupportUnits),

@@ -29,11 +29,36 @@ void ConversionParams::check() const
   require(slopeWindow >= 1 && slopeWindow <= 100, "slopeWindow", slopeWindow,
           "a whole number of cells from 1 to 100");
   require(std::isfinite(maxSlope) && maxSlope >= 0, "maxSlope", maxSlope, "a finite slope ≥ 0");
-  require(std::isfinite(maxStep) && maxStep >= 0, "maxStep", maxStep,
-          "a finite height ≥ 0 m (0 turns it off)");
+  const double step = maxStep.value_or(0);
+  require(std::isfinite(step) && step >= 0, "maxStep", step,
+          "a finite height ≥ 0 m (0 turns it off) or auto");
   require(std::isfinite(maxGap) && maxGap >= 0, "maxGap", maxGap, "a finite length ≥ 0 m");
   require(std::isfinite(maxHiddenGap) && maxHiddenGap >= 0 && maxHiddenGap <= maxGap,
           "maxHiddenGap", maxHiddenGap, "a length from 0 m to maxGap");
+}
+
+void ConversionParams::takeNamedSet()
+{
+  minClearance = 1.0;
+  minOccupancy = 0.5;
+  slopeWindow = 2;
+  maxSlope = 2.0;
+  maxStep = 0.0;
+  floorFrom = FloorFrom::LowestFree;
+}
+
+ConversionParams ConversionParams::paper()
+{
+  ConversionParams params;
+  params.takeNamedSet();
+  return params;
+}
+
+ConversionParams ConversionParams::ofOlderFiles()
+{
+  ConversionParams params;
+  params.floorFrom = FloorFrom::LowestFree;
+  return params;
 }
 
 std::int32_t ConversionParams::minRunVoxels(double resolution) const
@@ -41,15 +66,15 @@ std::int32_t ConversionParams::minRunVoxels(double resolution) const
   return std::max(1, toVoxels(std::ceil(minClearance / resolution - kSlack)));
 }
 
-std::int32_t ConversionParams::maxStepVoxels(double resolution) const
+double ConversionParams::stepHeight(double resolution) const
 {
-  return toVoxels(std::floor(maxStep / resolution + kSlack));
+  constexpr double kAutoStep = 0.2;  // [m]
+  return maxStep.value_or(0) > 0 ? *maxStep : std::max(kAutoStep, resolution);
 }
 
-std::int32_t ConversionParams::supportStepVoxels(double resolution) const
+std::int32_t ConversionParams::maxStepVoxels(double resolution) const
 {
-  if (maxStep > 0) return maxStepVoxels(resolution);
-  return toVoxels(std::floor(std::max(0.2, resolution) / resolution + kSlack));
+  return toVoxels(std::floor(stepHeight(resolution) / resolution + kSlack));
 }
 
 double ConversionParams::minStep(double resolution) const

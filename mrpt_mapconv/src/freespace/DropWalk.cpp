@@ -24,7 +24,7 @@ std::int32_t stepsWithin(double metres, double step)
 
 DropWalk::DropWalk(const ConversionParams& params, const Layers& layers)
     : m_layers(layers),
-      m_isOn(params.maxStep > 0 && params.floorFrom == FloorFrom::Seen),
+      m_isOn(params.looksForSteps() && params.floorFrom == FloorFrom::Seen),
       m_most(kSupportUnits * (params.maxStepVoxels(layers.frame().resolution) + 1)),
       m_straight(stepsWithin(kReach, layers.frame().resolution)),
       m_diagonal(stepsWithin(kReach, std::sqrt(2.0) * layers.frame().resolution)),

@@ -21,7 +21,7 @@ const std::string* itemOf(const grid::Metadata& items, const std::string& name,
 ConversionParams readParams(const std::string& path)
 {
   const grid::Metadata items = grid::readGeoTiffMetadata(path);
-  ConversionParams params;
+  ConversionParams params = ConversionParams::ofOlderFiles();
   ConversionParams::visit(
       params,
       [&](const char* name, auto&& value, const char*, const char*, params::About about = {})

@@ -47,7 +47,7 @@ struct SupportPass::Offers
 };
 
 SupportRules::SupportRules(const ConversionParams& params, double resolution)
-    : step(params.supportStepVoxels(resolution)), hiddenSlack(std::max(step, 1))
+    : step(params.maxStepVoxels(resolution)), hiddenSlack(std::max(step, 1))
 {
   constexpr double kSlack = 1e-6;  // of a cell
   const auto cells = [&](double metres) { return metres / resolution + kSlack; };

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "OccupancyLook.h"
 #include "PictureAxes.h"
 #include "PictureLegend.h"
 #include "PictureRaster.h"
@@ -64,23 +65,21 @@ Content occupancyContent(const StyledLayer& styled, const Zoom& zoom, const Metr
   content.raster = rasterOfOccupancy(styled, zoom);
   content.noData = std::none_of(cells.begin(), cells.end(),
                                 [](float value) { return isFree(value) || isOccupied(value); });
-  const auto add = [&](const TColor& color, const char* meaning)
-  { content.legend.push_back(swatch(metrics, color, meaning)); };
-  add(kFreeColor, "free");
-  const auto has = [](const Layer<float>* layer, float value)
+  using Look = OccupancyLook;
+  const auto add = [&](Look look)
+  { content.legend.push_back(swatch(metrics, colorOf(look), meaningOf(look))); };
+  const auto addIfThere = [&](Look look)
   {
-    return layer &&
-           std::find(layer->cells().begin(), layer->cells().end(), value) != layer->cells().end();
+    if (hasLook(styled, look)) add(look);
   };
-  if (has(styled.evidence, kInferredGround))
-    add(kInferredColor, "free, ground inferred from what was seen around");
-  add(kOccupiedColor, "occupied");
-  add(kUnknownColor, "unknown");
+  add(Look::Free);
+  addIfThere(Look::Inferred);
+  add(Look::Occupied);
+  add(Look::Unknown);
   if (!styled.freeFor) return content;
-  add(kSteepColor, "too steep or too high a step (free for a flying robot)");
-  if (has(styled.drops, 1)) add(kDropColor, "edge of a drop");
-  if (content.raster.has(kFrontierColor))
-    add(kFrontierColor, "frontier: free for a flying robot, but its ground was not seen");
+  add(Look::Steep);
+  addIfThere(Look::Drop);
+  addIfThere(Look::Frontier);
   return content;
 }
 

@@ -6,11 +6,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+
+#include "OccupancyLook.h"
 
 namespace mrpt_mapconv::grid
 {
 namespace
 {
+using picture::OccupancyLook;
+using picture::TColor;
+
 float lowest(const Layer<float>& layer)
 {
   float low = INFINITY;
@@ -19,26 +25,57 @@ float lowest(const Layer<float>& layer)
   return std::isfinite(low) ? low : 0.0f;
 }
 
-/** The surface's colours, as in the layers' pictures. MRPT's mesh has x along the rows of its
- * matrices and of its texture. */
-mrpt::img::CImage texture(const StyledLayer& styled)
+/** The looks of an occupancy layer that a surface shows instead of its height. */
+constexpr OccupancyLook kMarked[] = {OccupancyLook::Steep, OccupancyLook::Drop,
+                                     OccupancyLook::Frontier};
+/** How much of white is in the colours of heights that are inferred. */
+constexpr double kTint = 0.6;
+
+TColor tinted(const TColor& color)
 {
-  const Layer<float>& values = *styled.layer;
-  const bool slopes = styled.kind == LayerKind::Slope;
-  const auto range = slopes ? picture::slopeRange(values) : picture::heightRange(values);
-  const GridFrame& frame = values.frame();
+  const auto mix = [](std::uint8_t c) { return static_cast<std::uint8_t>(c + kTint * (255 - c)); };
+  return {mix(color.R), mix(color.G), mix(color.B)};
+}
+
+/** The colour of each cell of a surface, as in the layers' pictures. */
+class SurfaceColors
+{
+ public:
+  SurfaceColors(const Layer<float>& height, const StyledLayer& colouredBy)
+      : m_by(colouredBy),
+        m_values(colouredBy.kind == LayerKind::Occupancy ? height : *colouredBy.layer),
+        m_range(colouredBy.kind == LayerKind::Slope ? picture::slopeRange(m_values)
+                                                    : picture::heightRange(m_values))
+  {
+  }
+
+  TColor at(std::int32_t x, std::int32_t y) const
+  {
+    const float value = m_values.at(x, y);
+    if (!std::isfinite(value)) return picture::kNoDataColor;
+    const double position = m_range.position(static_cast<double>(value));
+    if (m_by.kind == LayerKind::Slope) return picture::slopeColor(position);
+    const TColor ofHeight = picture::heightColor(position);
+    if (m_by.kind != LayerKind::Occupancy) return ofHeight;
+    const OccupancyLook look = picture::lookOf(m_by, x, y);
+    if (std::count(std::begin(kMarked), std::end(kMarked), look) > 0) return colorOf(look);
+    return look == OccupancyLook::Inferred ? tinted(ofHeight) : ofHeight;
+  }
+
+ private:
+  const StyledLayer& m_by;
+  const Layer<float>& m_values;
+  picture::ColorRange m_range;
+};
+
+/** MRPT's mesh has x along the rows of its matrices and of its texture. */
+mrpt::img::CImage texture(const Layer<float>& height, const StyledLayer& colouredBy)
+{
+  const SurfaceColors colors(height, colouredBy);
+  const GridFrame& frame = height.frame();
   mrpt::img::CImage image(frame.height, frame.width, mrpt::img::CH_RGB);
   for (std::int32_t y = 0; y < frame.height; ++y)
-    for (std::int32_t x = 0; x < frame.width; ++x)
-    {
-      const float value = values.at(x, y);
-      if (!std::isfinite(value))
-        image.setPixel(y, x, picture::kNoDataColor);
-      else if (slopes)
-        image.setPixel(y, x, picture::slopeColor(range.position(value)));
-      else
-        image.setPixel(y, x, picture::heightColor(range.position(value)));
-    }
+    for (std::int32_t x = 0; x < frame.width; ++x) image.setPixel(y, x, colors.at(x, y));
   return image;
 }
 
@@ -61,7 +98,7 @@ mrpt::opengl::CMesh::Ptr surface(const Layer<float>& height, const StyledLayer& 
                    static_cast<float>(frame.xMax() - half));
   mesh->setYBounds(static_cast<float>(frame.yMin() + half),
                    static_cast<float>(frame.yMax() - half));
-  mesh->assignImageAndZ(texture(colouredBy), z);
+  mesh->assignImageAndZ(texture(height, colouredBy), z);
   mesh->setMask(mask);
   return mesh;
 }
@@ -94,6 +131,26 @@ void drawOccupancy(const Layer<float>& occupancy, double z, bool showFree,
   plane->setLocation(0, 0, z);
   plane->setName("occupancy");
   scene.insert(plane);
+}
+
+void drawLegend(const StyledLayer& occupancy, mrpt::opengl::COpenGLViewport& view)
+{
+  constexpr int kMargin = 10, kLine = 20;  // pixels
+  mrpt::opengl::TFontParams font;
+  font.vfont_scale = 14;
+  font.draw_shadow = true;
+  std::size_t lines = 0;
+  const auto add = [&](OccupancyLook look, const TColor& color, const std::string& meaning)
+  {
+    if (!picture::hasLook(occupancy, look)) return;
+    font.color = mrpt::img::TColorf(color);
+    view.addTextMessage(kMargin, kMargin + kLine * static_cast<double>(lines), meaning, lines,
+                        font);
+    ++lines;
+  };
+  for (const OccupancyLook look : kMarked) add(look, colorOf(look), meaningOf(look));
+  add(OccupancyLook::Inferred, tinted(picture::heightColor(0)),
+      "pale: ground inferred from what was seen around");
 }
 
 void drawLayers(const std::vector<StyledLayer>& layers, const Layer<float>& occupancy,

@@ -1,10 +1,10 @@
 #include "PictureRaster.h"
 
-#include <mrpt_mapconv/grid/OccupancyCell.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "OccupancyLook.h"
 
 namespace mrpt_mapconv::grid::picture
 {
@@ -78,47 +78,15 @@ Raster rasterOfSlopes(const Layer<float>& layer, const ColorRange& range, const 
                    });
 }
 
-namespace
-{
-/** How a cell of an occupancy layer looks; of the cells that share a pixel the last one shows. */
-enum Look
-{
-  Unknown,
-  Frontier,
-  Inferred,
-  Free,
-  Steep,
-  Occupied,
-  Drop
-};
-
-Look lookOf(const StyledLayer& styled, int x, int y)
-{
-  const float value = styled.layer->at(x, y);
-  if (!styled.freeFor) return isOccupied(value) ? Occupied : isFree(value) ? Free : Unknown;
-  const bool isFreeForOthers = isFree(styled.freeFor->at(x, y));
-  if (isOccupied(value))
-  {
-    if (styled.drops && styled.drops->at(x, y) != 0) return Drop;
-    return isFreeForOthers ? Steep : Occupied;
-  }
-  if (isFree(value))
-    return styled.evidence && styled.evidence->at(x, y) == kInferredGround ? Inferred : Free;
-  return styled.evidence && isFreeForOthers ? Frontier : Unknown;
-}
-}  // namespace
-
 Raster rasterOfOccupancy(const StyledLayer& styled, const Zoom& zoom)
 {
-  const TColor colors[] = {kUnknownColor, kFrontierColor, kInferredColor, kFreeColor,
-                           kSteepColor,   kOccupiedColor, kDropColor};
   return rasterize(styled.layer->frame(), zoom,
                    [&](int x0, int x1, int y0, int y1)
                    {
-                     Look look = Unknown;
+                     auto look = OccupancyLook::Unknown;
                      for (int y = y0; y < y1; ++y)
                        for (int x = x0; x < x1; ++x) look = std::max(look, lookOf(styled, x, y));
-                     return colors[look];
+                     return colorOf(look);
                    });
 }
 

@@ -4,7 +4,6 @@
 #include <mrpt_mapconv/grid/PictureColors.h>
 #include <mrpt_mapconv/grid/StyledLayer.h>
 
-#include <algorithm>
 #include <vector>
 
 namespace mrpt_mapconv::grid::picture
@@ -25,22 +24,13 @@ struct Raster
 {
   int width = 0, height = 0;
   std::vector<TColor> pixels;
-
-  bool has(const TColor& color) const
-  {
-    return std::any_of(pixels.begin(), pixels.end(),
-                       [&](const TColor& pixel)
-                       { return pixel.R == color.R && pixel.G == color.G && pixel.B == color.B; });
-  }
 };
 
 /** Colours averages of cells (reduced) or cells. */
 Raster rasterOfHeights(const Layer<float>& layer, const ColorRange& range, const Zoom& zoom);
 /** Colours the largest of the cells that share a pixel. */
 Raster rasterOfSlopes(const Layer<float>& layer, const ColorRange& range, const Zoom& zoom);
-/** Of the cells that share a pixel: drop edge before occupied before too steep before free before
- * inferred before frontier before unknown; without StyledLayer::freeFor only occupied, free and
- * unknown. */
+/** Of the cells that share a pixel the last look shows, see OccupancyLook. */
 Raster rasterOfOccupancy(const StyledLayer& styled, const Zoom& zoom);
 
 /** Of the cells that share a pixel the one with the highest number shows. */

@@ -1,5 +1,6 @@
 #include <mrpt/system/CTicTac.h>
 #include <mrpt/system/CTimeLogger.h>
+#include <mrpt_mapconv/freespace/DropEdges.h>
 #include <mrpt_mapconv/grid/GridMap.h>
 #include <mrpt_mapconv/maps/CFreeSpaceGridMap2D.h>
 #include <mrpt_mapconv/maps/MapDefinition.h>
@@ -192,7 +193,11 @@ void CFreeSpaceGridMap2D::drawLayers(mrpt::opengl::CSetOfObjects& scene) const
   const auto layers = exactLayers();
   const double below = grid::heightBelow(layers.floor);
   grid::drawOccupancy(shownOf(layers), below, !renderingOptions.showFloor, scene);
-  freespace::drawFreeSpace(layers, renderingOptions, scene);
+  if (m_conversion.robot == freespace::Robot::Aerial)
+    return freespace::drawFreeSpace(layers, renderingOptions, scene);
+  const auto edges = freespace::dropEdges(layers, m_conversion.params);
+  freespace::drawGround(layers, renderingOptions, grid::findLayer(layers.styled(edges), "ground"),
+                        scene);
 }
 
 }  // namespace mrpt_mapconv

@@ -103,6 +103,20 @@ void StrictSection::read(const std::string& key, std::uint32_t& value) { readNum
 
 void StrictSection::read(const std::string& key, std::uint16_t& value) { readNumber(key, value); }
 
+void StrictSection::read(const std::string& key, std::optional<double>& value)
+{
+  m_known.insert(key);
+  if (!has(key)) return;
+  const std::string word = text(key);
+  double number = 0;
+  if (lowerCase(word) == kAuto)
+    value.reset();
+  else if (parse(word, number))
+    value = number;
+  else
+    fail(key, "a finite number or auto");
+}
+
 void StrictSection::read(const std::string& key, std::string& value)
 {
   m_known.insert(key);

@@ -95,7 +95,11 @@ class Trials
   static constexpr double kMm = 0.001;
 
   // of steps to try, in voxels
-  int lowestStep() const { return m_conversion.maxStepVoxels(m_layers.frame().resolution) + 1; }
+  int lowestStep() const
+  {
+    if (!m_conversion.looksForSteps()) return 1;
+    return m_conversion.maxStepVoxels(m_layers.frame().resolution) + 1;
+  }
   int highestStep() const
   {
     return static_cast<int>(std::min(m_conversion.minClearance / m_layers.frame().resolution, 1e6));

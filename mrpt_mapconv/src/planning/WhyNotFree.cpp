@@ -22,11 +22,12 @@ std::string whyNotFree(const freespace::Layers& layers,
          << " minClearance = " << conversion.minClearance << " m high";
   else if (const float slope = layers.slope.at(cell.x, cell.y); std::isnan(slope))
     text << "the slope there is not known";
-  else if (static_cast<double>(slope) > conversion.maxSlope || conversion.maxStep <= 0)
+  else if (static_cast<double>(slope) > conversion.maxSlope || !conversion.looksForSteps())
     text << "the slope there, " << params::roundedText(static_cast<double>(slope))
          << ", is above maxSlope = " << conversion.maxSlope;
   else
-    text << "the step to a cell beside it is above maxStep = " << conversion.maxStep << " m";
+    text << "the step to a cell beside it is above maxStep = "
+         << params::roundedText(conversion.stepHeight(layers.frame().resolution)) << " m";
   return text.str();
 }
 

@@ -99,6 +99,56 @@ TEST_F(IniFile, theShippedFileHoldsTheDefaults)
   const JsonValue a = parseJson(without.out)["parameters"], b = parseJson(with.out)["parameters"];
   for (const char* name : {"minClearance", "minOccupancy", "slopeWindow", "maxSlope", "maxStep"})
     EXPECT_EQ(a[name].number, b[name].number) << name;
+  EXPECT_EQ("auto", b["maxStep"].text);
+  EXPECT_EQ("seen", b["floorFrom"].text);
+}
+
+TEST_F(IniFile, thePapersParametersHaveANameAFlagAndAFile)
+{
+  const auto byKey = convertWith("[conversion]\npaper = true\n");
+  const auto byFlag = convertWith("[conversion]\nmaxStep = 0.3\nmaxSlope = 1\n", {"--paper"});
+  const auto byFile =
+      mapconv({"convert", m_dir.path("hand.bt"), "-o", m_dir.path("out"), "-c",
+               MRPT_MAPCONV_SOURCE_DIR "/config/freeSpaceGrid/paper.ini", "--json"});
+  for (const auto& run : {byKey, byFlag, byFile})
+  {
+    ASSERT_EQ(0, run.status) << run.err;
+    const JsonValue used = parseJson(run.out)["parameters"];
+    EXPECT_EQ(1.0, used["minClearance"].number);
+    EXPECT_EQ(0.5, used["minOccupancy"].number);
+    EXPECT_EQ(2, used["slopeWindow"].number);
+    EXPECT_EQ(2.0, used["maxSlope"].number);
+    EXPECT_EQ(0.0, used["maxStep"].number);
+    EXPECT_EQ("lowestFree", used["floorFrom"].text);
+  }
+}
+
+TEST_F(IniFile, whatStandsBesideThePapersNameReplacesItsValues)
+{
+  const auto run = convertWith("[conversion]\nmaxStep = 0.3\npaper = true\nmaxGap = 4\n",
+                               {"--floor-from", "seen"});
+  ASSERT_EQ(0, run.status) << run.err;
+  const JsonValue used = parseJson(run.out)["parameters"];
+  EXPECT_EQ(0.3, used["maxStep"].number);
+  EXPECT_EQ("seen", used["floorFrom"].text);
+  EXPECT_FALSE(contains(run.err, "maxGap")) << run.err;
+  const auto useless = convertWith("[conversion]\npaper = true\nmaxGap = 4\n");
+  EXPECT_TRUE(contains(useless.err, "maxGap of ")) << useless.err;
+  EXPECT_TRUE(contains(useless.err, "has no effect: floorFrom is lowestFree")) << useless.err;
+}
+
+TEST_F(IniFile, aStepMayBeAuto)
+{
+  const auto run = convertWith("[conversion]\nmaxStep = 0.3\n", {"--max-step", "auto"});
+  ASSERT_EQ(0, run.status) << run.err;
+  EXPECT_EQ("auto", parseJson(run.out)["parameters"]["maxStep"].text);
+  for (const std::string bad : {"high", "", "-0.1", "nan"})
+  {
+    const auto refused = convertWith("[conversion]\n", {"--max-step", bad});
+    EXPECT_NE(0, refused.status) << bad;
+    EXPECT_TRUE(contains(refused.err, "--max-step: ")) << refused.err;
+    EXPECT_TRUE(contains(refused.err, "auto")) << refused.err;
+  }
 }
 
 TEST_F(IniFile, typosAreNamedInAWarning)

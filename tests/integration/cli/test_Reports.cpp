@@ -106,26 +106,64 @@ bool isWay(const std::string& map, const std::string& from, const std::string& t
   return run.status == 0;
 }
 
-TEST_F(Reports, WithEvidenceNoWayLeadsOverACliffOrAFence)
+/** Calls visit(x, y, value) for the cells of a layer, by their centres [m]. */
+template <class Visit>
+void forEachCell(const std::string& map, const std::string& layer, const Visit& visit)
+{
+  const Raster raster = readRaster(map + "/layers.tif");
+  const double res = raster.transform[1], yMin = raster.transform[3] - raster.height * res;
+  for (const auto& band : raster.bands)
+    for (int i = 0; band.name == layer && i < raster.width * raster.height; ++i)
+      visit(raster.transform[0] + (i % raster.width + 0.5) * res,
+            yMin + (i / raster.width + 0.5) * res, band.cells.at(static_cast<std::size_t>(i)));
+}
+
+TEST_F(Reports, NobodyIsSentOverACliffButByThePapersParameters)
 {
   const std::string csv = m_dir.path("way.csv");
-  for (const std::string floorFrom : {"lowestFree", "seen"})
+  for (const bool paper : {false, true})
   {
-    const std::string map = m_dir.path("cliff_" + floorFrom);
-    const auto run = mapconv({"convert", kReports + "cliff.bt", "-o", map, "--json", "--max-step",
-                              "0.2", "--floor-from", floorFrom});
+    const std::string map = m_dir.path(paper ? "paper" : "default");
+    std::vector<std::string> words{"convert", kReports + "cliff.bt", "-o", map, "--json"};
+    if (paper) words.emplace_back("--paper");
+    const auto run = mapconv(words);
     ASSERT_EQ(0, run.status) << run.err;
-    EXPECT_EQ(floorFrom == "lowestFree", isWay(map, "-5,0", "8,0", "0.3", csv)) << floorFrom;
-    if (floorFrom == "seen")
-    {
-      EXPECT_GT(parseJson(run.out)["frontier"].number, 3000) << "nobody saw what is under the edge";
-    }
+    EXPECT_EQ(paper, isWay(map, "-5,0", "8,0", "0.3", csv));
+    if (paper) continue;
+    EXPECT_GT(parseJson(run.out)["frontier"].number, 3000) << "nobody saw what is under the edge";
+    const auto isOverTheHole = [](double x) { return x > 0.95 && x < 5.6; };
+    int inTheAir = 0, over = 0;
+    forEachCell(map, "ground",
+                [&](double x, double, double cell)
+                { over += isOverTheHole(x), inTheAir += isOverTheHole(x) && cell == 0; });
+    forEachCell(map, "evidence",
+                [&](double x, double, double cell) { inTheAir += isOverTheHole(x) && cell == 2; });
+    EXPECT_EQ(0, inTheAir) << "cells that are free or inferred";
+    EXPECT_GT(over, 3000);
   }
-  const std::string fence = m_dir.path("fence");
-  ASSERT_EQ(0, mapconv({"convert", kReports + "fence09.bt", "-o", fence, "--max-step", "0.2",
-                        "--floor-from", "seen"})
-                   .status);
-  EXPECT_FALSE(isWay(fence, "-3,0", "3,0", "0.3", csv));
+}
+
+TEST_F(Reports, AFenceIsOccupiedButByThePapersParameters)
+{
+  const std::string csv = m_dir.path("way.csv");
+  for (const bool paper : {false, true})
+  {
+    const std::string map = m_dir.path(paper ? "paper" : "default");
+    std::vector<std::string> words{"convert", kReports + "fence09.bt", "-o", map};
+    if (paper) words.emplace_back("--paper");
+    ASSERT_EQ(0, mapconv(words).status);
+    int free = 0, cells = 0;
+    forEachCell(map, "ground",
+                [&](double x, double y, double cell)
+                {
+                  if (std::abs(x - 0.05) > 0.01 || std::abs(y) > 2) return;
+                  ++cells;
+                  free += cell == 0;
+                });
+    EXPECT_GE(cells, 40);
+    EXPECT_EQ(paper ? cells : 0, free);
+    EXPECT_FALSE(isWay(map, "-3,0", "3,0", "0.3", csv)) << "plan looks for steps in any case";
+  }
 }
 
 /** Shares of the ground cells whose centres lie in geb079's corridor, in percent. */
@@ -136,22 +174,16 @@ struct Shares
 
 Shares corridorOf(const std::string& map)
 {
-  const Raster raster = readRaster(map + "/layers.tif");
-  const auto& ground = raster.bands.at(4);
-  EXPECT_EQ("ground", ground.name);
-  const double res = raster.transform[1], yMin = raster.transform[3] - raster.height * res;
   Shares shares;
   double cells = 0;
-  for (int iy = 0; iy < raster.height; ++iy)
-    for (int ix = 0; ix < raster.width; ++ix)
-    {
-      const double x = raster.transform[0] + (ix + 0.5) * res, y = yMin + (iy + 0.5) * res;
-      if (x < -5.5 || x > 27 || std::abs(y) > 1) continue;
-      const double cell = ground.cells.at(static_cast<std::size_t>(iy * raster.width + ix));
-      ++cells;
-      shares.occupied += cell > 0;
-      shares.free += cell == 0;
-    }
+  forEachCell(map, "ground",
+              [&](double x, double y, double cell)
+              {
+                if (x < -5.5 || x > 27 || std::abs(y) > 1) return;
+                ++cells;
+                shares.occupied += cell > 0;
+                shares.free += cell == 0;
+              });
   return {100 * shares.occupied / cells, 100 * shares.free / cells};
 }
 
@@ -161,9 +193,9 @@ TEST_F(Reports, WithEvidenceACorridorIsFreeWhereItsFloorIsBetweenTheLidarsRings)
   for (const std::string floorFrom : {"lowestFree", "seen"})
   {
     const std::string map = m_dir.path(floorFrom), csv = m_dir.path("way.csv");
-    ASSERT_EQ(0,
-              mapconv({"convert", file, "-o", map, "--max-step", "0.16", "--floor-from", floorFrom})
-                  .status);
+    std::vector<std::string> words{"convert", file, "-o", map, "--max-step", "0.16"};
+    if (floorFrom != "seen") words.insert(words.end(), {"--floor-from", floorFrom});
+    ASSERT_EQ(0, mapconv(words).status);
     // the figures in share/doc/mapconv.md
     const Shares shares = corridorOf(map);
     EXPECT_NEAR(floorFrom == "seen" ? 5.6 : 20.1, shares.occupied, 0.05) << floorFrom;

@@ -18,7 +18,7 @@ using test::kNaN;
 
 ConversionParams withClearance(double minClearance)
 {
-  ConversionParams params;
+  auto params = ConversionParams::paper();
   params.minClearance = minClearance;
   return params;
 }
@@ -35,7 +35,7 @@ TEST(ConversionFrame, IsTheBoundingBoxOfAllKnownVoxels)
   EXPECT_EQ(frame.width, 5);
   EXPECT_EQ(frame.height, 5);
   EXPECT_EQ(frame.resolution, 0.1);
-  const Layers layers = map.convert({});
+  const Layers layers = map.convert(ConversionParams::paper());
   for (const auto& [name, layer] : layers.named()) EXPECT_EQ(layer->frame(), frame) << name;
 }
 
@@ -194,7 +194,7 @@ TEST(ConversionRuns, HeightsAreMetresOfTheMapFrame)
 {
   HandMap map(0.07);
   map.free(0, 0, 21, 42);
-  const Layers layers = map.convert({});
+  const Layers layers = map.convert(ConversionParams::paper());
   // the face of voxel k lies at k times the voxel size, rounded once to double and once to float
   EXPECT_EQ(layers.floor.at(0, 0), static_cast<float>(1.47));
   EXPECT_EQ(layers.ceiling.at(0, 0), static_cast<float>(2.94));
@@ -206,14 +206,14 @@ TEST(ConversionErrors, AMapWithoutKnownVoxels)
 {
   const HandMap map(0.1);
   EXPECT_THROW(freespace::frameOf(map.source()), std::runtime_error);
-  EXPECT_THROW(map.convert({}), std::runtime_error);
+  EXPECT_THROW(map.convert(ConversionParams::paper()), std::runtime_error);
 }
 
 TEST(ConversionErrors, AMapWithoutAKeptRunIsNone)
 {
   HandMap map(0.1);
   map.free(0, 0, 0, 9).occupied(1, 1, 0, 9);
-  const Layers layers = map.convert({});
+  const Layers layers = map.convert(ConversionParams::paper());
   for (const auto* layer : {&layers.floor, &layers.ceiling, &layers.slope})
     expectCells(*layer, {{kNaN, kNaN}, {kNaN, kNaN}});
   for (const auto* layer : {&layers.aerial, &layers.ground})
@@ -227,7 +227,7 @@ TEST(ConversionErrors, ParametersAreCheckedFirst)
 {
   HandMap map(0.1);
   map.free(0, 0, 0, 20);
-  ConversionParams params;
+  auto params = ConversionParams::paper();
   params.minOccupancy = 1.1;
   EXPECT_THROW(map.convert(params), std::invalid_argument);
   params = withClearance(std::numeric_limits<double>::quiet_NaN());

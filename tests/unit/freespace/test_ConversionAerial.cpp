@@ -14,7 +14,7 @@ using test::HandMap;
 /** A clearance of 4 voxels of 0.1 m. */
 ConversionParams withShare(double minOccupancy)
 {
-  ConversionParams params;
+  auto params = ConversionParams::paper();
   params.minClearance = 0.4;
   params.minOccupancy = minOccupancy;
   return params;

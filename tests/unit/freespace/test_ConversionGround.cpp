@@ -30,7 +30,7 @@ void expectGroundRows(const freespace::Layers& layers, const std::vector<float>&
 
 TEST(ConversionGround, SteepFreeCellsAreOccupied)
 {
-  ConversionParams params;
+  auto params = ConversionParams::paper();
   params.slopeWindow = 1;
   params.maxSlope = 2;
   // slopes: 0, 0, 3/2 where the rise begins, then 3
@@ -44,7 +44,7 @@ TEST(ConversionGround, SteepFreeCellsAreOccupied)
 
 TEST(ConversionGround, TheSteepestAllowedSlopeIsAllowed)
 {
-  ConversionParams params;
+  auto params = ConversionParams::paper();
   params.slopeWindow = 1;
   params.maxSlope = 3;
   expectGroundRows(profile({0, 3, 6, 9}, params), {0, 0, 0, 0});
@@ -58,19 +58,22 @@ TEST(ConversionGround, TheSteepestAllowedSlopeIsAllowed)
 TEST(ConversionGround, AStepBelowTheSlopesMinStepIsNotMarked)
 {
   // 0.6 m: beside it the window of 5 cells gives 3·6/10 = 1.8 < 2
-  expectGroundRows(profile({0, 0, 0, 0, 6, 6, 6, 6}, {}), {0, 0, 0, 0, 0, 0, 0, 0});
+  expectGroundRows(profile({0, 0, 0, 0, 6, 6, 6, 6}, ConversionParams::paper()),
+                   {0, 0, 0, 0, 0, 0, 0, 0});
 }
 
 TEST(ConversionGround, AStepAboveTheSlopesMinStepIsMarked)
 {
   // 0.7 m: 3·7/10 = 2.1 > 2 beside it, 2·7/10 = 1.4 one cell further
-  expectGroundRows(profile({0, 0, 0, 0, 7, 7, 7, 7}, {}), {0, 0, 0, 1, 1, 0, 0, 0});
-  expectGroundRows(profile({7, 7, 7, 7, 0, 0, 0, 0}, {}), {0, 0, 0, 1, 1, 0, 0, 0});
+  expectGroundRows(profile({0, 0, 0, 0, 7, 7, 7, 7}, ConversionParams::paper()),
+                   {0, 0, 0, 1, 1, 0, 0, 0});
+  expectGroundRows(profile({7, 7, 7, 7, 0, 0, 0, 0}, ConversionParams::paper()),
+                   {0, 0, 0, 1, 1, 0, 0, 0});
 }
 
 TEST(ConversionGround, AStepOfExactlyTheSlopesMinStepIsNotMarked)
 {
-  ConversionParams params;
+  auto params = ConversionParams::paper();
   params.maxSlope = 1.5;
   EXPECT_DOUBLE_EQ(params.minStep(0.1), 0.5);
   expectGroundRows(profile({0, 0, 0, 0, 5, 5, 5, 5}, params), {0, 0, 0, 0, 0, 0, 0, 0});
@@ -82,7 +85,7 @@ TEST(ConversionGround, OccupiedAndUnknownCellsStayAsInTheAir)
 {
   HandMap map(0.1);
   map.free(0, 0, 0, 10).occupied(1, 0, 0, 6).occupied(2, 0, 0, 10);
-  const freespace::Layers layers = map.convert({});
+  const freespace::Layers layers = map.convert(ConversionParams::paper());
   expectCells(layers.aerial, {{0, 0.6f, -1}});
   expectCells(layers.ground, {{0, 0.6f, -1}});
 }
@@ -91,14 +94,14 @@ TEST(ConversionGround, ACellOfUnknownSlopeIsNotSteep)
 {
   HandMap map(0.1);
   map.floors({{0, 9, 18}});
-  expectCells(map.convert({}).ground, {{0, 0, 0}});
+  expectCells(map.convert(ConversionParams::paper()).ground, {{0, 0, 0}});
 }
 
 // ---- steps
 
 ConversionParams withStep(double maxStep)
 {
-  ConversionParams params;
+  auto params = ConversionParams::paper();
   params.maxSlope = 1000;  // the steps alone
   params.maxStep = maxStep;
   return params;
@@ -170,7 +173,7 @@ TEST(ConversionGround, StepsAcrossABlockBorder)
 
 TEST(ConversionGround, SlopeAndStepTogether)
 {
-  ConversionParams params;
+  auto params = ConversionParams::paper();
   params.maxStep = 0.4;
   // a step of 0.5 m only by maxStep, one of 0.7 m by both
   const freespace::Layers layers = profile({0, 0, 0, 0, 5, 5, 5, 5, 5, 12, 12, 12, 12}, params);

@@ -28,7 +28,7 @@ std::string failure(mrpt::config::CLoadableOptions& options, const std::string& 
 }
 }  // namespace
 
-TEST(ConversionOptions, DefaultsAreTheGroundRobotAndThePapersTable)
+TEST(ConversionOptions, DefaultsAreTheGroundRobotAndASafeMap)
 {
   const TConversionOptions options;
   EXPECT_EQ(options.robot, Robot::Ground);
@@ -36,7 +36,8 @@ TEST(ConversionOptions, DefaultsAreTheGroundRobotAndThePapersTable)
   EXPECT_EQ(options.params.minOccupancy, 0.5);
   EXPECT_EQ(options.params.slopeWindow, 2);
   EXPECT_EQ(options.params.maxSlope, 2.0);
-  EXPECT_EQ(options.params.maxStep, 0.0);
+  EXPECT_FALSE(options.params.maxStep);
+  EXPECT_EQ(options.params.floorFrom, FloorFrom::Seen);
   EXPECT_EQ(options.params.reading.unknown, Unknown::Unknown);
 }
 
@@ -56,6 +57,23 @@ TEST(ConversionOptions, ReadsEveryKey)
   EXPECT_EQ(options.params.reading.unknown, Unknown::Free);
 }
 
+TEST(ConversionOptions, ThePapersParametersHaveAName)
+{
+  TConversionOptions options;
+  ASSERT_EQ(failure(options, "maxStep = 0.3\npaper = true\nmaxSlope = 1"), "");
+  EXPECT_EQ(options.params.maxStep, 0.3) << "a key beside it replaces its value";
+  EXPECT_EQ(options.params.maxSlope, 1.0);
+  EXPECT_EQ(options.params.floorFrom, FloorFrom::LowestFree);
+
+  TConversionOptions others;
+  others.params.maxStep = 0.4;
+  ASSERT_EQ(failure(others, "paper = true"), "");
+  EXPECT_EQ(others.params.maxStep, 0.0);
+  ASSERT_EQ(failure(others, "floorFrom = seen\npaper = no\nmaxStep = auto"), "");
+  EXPECT_EQ(others.params.floorFrom, FloorFrom::Seen);
+  EXPECT_FALSE(others.params.maxStep);
+}
+
 TEST(ConversionOptions, ABadValueNamesSectionKeyAndValueAndChangesNothing)
 {
   for (const auto& [line, named] : std::vector<std::pair<std::string, std::string>>{
@@ -68,6 +86,10 @@ TEST(ConversionOptions, ABadValueNamesSectionKeyAndValueAndChangesNothing)
            {"slopeWindow=2.5", "section 's': slopeWindow = '2.5'"},
            {"maxSlope=nan", "section 's': maxSlope = 'nan'"},
            {"maxStep=-0.1", "section 's': maxStep = -0.1"},
+           {"maxStep=high",
+            "section 's': maxStep = 'high' is not valid: it must be a finite number "
+            "or auto"},
+           {"paper=Fredriksson", "section 's': paper = 'Fredriksson'"},
            {"unknown=occupied", "section 's': unknown = 'occupied'"}})
   {
     TConversionOptions options;
@@ -103,6 +125,28 @@ TEST(ConversionOptions, WritesAndReadsBack)
   EXPECT_EQ(fromIni.robot, Robot::Aerial);
   EXPECT_EQ(fromIni.params.maxStep, 0.15);
   EXPECT_EQ(fromIni.params.reading.unknown, Unknown::Free);
+}
+
+TEST(ConversionOptions, AutoAndOffAreWrittenAndReadBack)
+{
+  for (const auto& step : {std::optional<double>(), std::optional<double>(0)})
+  {
+    TConversionOptions options, read, fromIni;
+    options.params.maxStep = step;
+    read.params.maxStep = fromIni.params.maxStep = 0.7;
+    mrpt::io::CMemoryStream memory;
+    auto archive = mrpt::serialization::archiveFrom(memory);
+    options.writeToStream(archive);
+    memory.Seek(0);
+    read.readFromStream(archive);
+    EXPECT_EQ(read.params.maxStep, step);
+
+    CConfigFileMemory ini;
+    options.saveToConfigFile(ini, "x");
+    EXPECT_EQ(ini.read_string("x", "maxStep", ""), step ? "0" : "auto");
+    fromIni.loadFromConfigFile(ini, "x");
+    EXPECT_EQ(fromIni.params.maxStep, step);
+  }
 }
 
 TEST(VoxelInsertionOptions, ReadsEveryKeyNamedAsInCOctoMap)

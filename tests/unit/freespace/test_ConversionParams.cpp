@@ -4,25 +4,54 @@
 #include <cctype>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
 namespace
 {
 using mrpt_mapconv::freespace::ConversionParams;
+using mrpt_mapconv::freespace::FloorFrom;
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-TEST(ConversionParams, DefaultsAreThePapersTable)
+TEST(ConversionParams, DefaultsLookForStepsAndForGroundThatWasSeen)
 {
   const ConversionParams params;
+  EXPECT_FALSE(params.maxStep);
+  EXPECT_TRUE(params.looksForSteps());
+  EXPECT_EQ(params.floorFrom, FloorFrom::Seen);
+  EXPECT_NO_THROW(params.check());
+}
+
+TEST(ConversionParams, ThePapersAreItsTable)
+{
+  const auto params = ConversionParams::paper();
   EXPECT_EQ(params.minClearance, 1.0);
   EXPECT_EQ(params.minOccupancy, 0.5);
   EXPECT_EQ(params.slopeWindow, 2);
   EXPECT_EQ(params.maxSlope, 2.0);
   EXPECT_EQ(params.maxStep, 0.0);
-  EXPECT_NO_THROW(params.check());
+  EXPECT_FALSE(params.looksForSteps());
+  EXPECT_EQ(params.floorFrom, FloorFrom::LowestFree);
+}
+
+TEST(ConversionParams, TakingThePapersLeavesWhatThePaperDoesNotHave)
+{
+  ConversionParams params;
+  params.minClearance = 3, params.minOccupancy = 0, params.slopeWindow = 9, params.maxSlope = 7;
+  params.maxStep = 0.4, params.maxGap = 5;
+  params.reading.unknown = mrpt_mapconv::voxel::Unknown::Free;
+  params.takeNamedSet();
+  EXPECT_EQ(params.minClearance, 1.0);
+  EXPECT_EQ(params.minOccupancy, 0.5);
+  EXPECT_EQ(params.slopeWindow, 2);
+  EXPECT_EQ(params.maxSlope, 2.0);
+  EXPECT_EQ(params.maxStep, 0.0);
+  EXPECT_EQ(params.floorFrom, FloorFrom::LowestFree);
+  EXPECT_EQ(params.maxGap, 5);
+  EXPECT_EQ(params.reading.unknown, mrpt_mapconv::voxel::Unknown::Free);
 }
 
 int minRun(double minClearance, double resolution)
@@ -59,7 +88,7 @@ TEST(ConversionParams, RoundingErrorsOfTheQuotientDoNotAddAVoxel)
   EXPECT_EQ(minRun(1.0000002, 0.1), 11);
 }
 
-int stepVoxels(double maxStep, double resolution)
+int stepVoxels(std::optional<double> maxStep, double resolution)
 {
   ConversionParams params;
   params.maxStep = maxStep;
@@ -75,6 +104,20 @@ TEST(ConversionParams, HighestDifferenceThatIsNoStep)
   // 0.3/0.1 and 0.35/0.07 are a little less than whole in double
   EXPECT_EQ(stepVoxels(0.3, 0.1), 3);
   EXPECT_EQ(stepVoxels(0.35, 0.07), 5);
+}
+
+TEST(ConversionParams, AStepThatIsAutoOrOffIsAFifthOfAMetreOrAVoxel)
+{
+  for (const auto& step : {std::optional<double>(), std::optional<double>(0)})
+  {
+    EXPECT_EQ(stepVoxels(step, 0.05), 4);
+    EXPECT_EQ(stepVoxels(step, 0.16), 1);
+    EXPECT_EQ(stepVoxels(step, 0.2), 1);
+    EXPECT_EQ(stepVoxels(step, 0.5), 1);
+  }
+  const ConversionParams params;
+  EXPECT_EQ(params.stepHeight(0.1), 0.2);
+  EXPECT_EQ(params.stepHeight(0.3), 0.3);
 }
 
 TEST(ConversionParams, LowestStepThatTheSlopeTestMarks)

@@ -17,7 +17,7 @@ constexpr int kX = HandMap::kNoFloor;
 
 ConversionParams withWindow(int slopeWindow)
 {
-  ConversionParams params;
+  auto params = ConversionParams::paper();
   params.slopeWindow = slopeWindow;
   return params;
 }
@@ -143,7 +143,7 @@ TEST(ConversionSlope, FewerThanThreeCellsHaveNone)
 {
   HandMap map(0.1);
   map.floors({{kX, 3}, {0, kX}});
-  const freespace::Layers layers = map.convert({});
+  const freespace::Layers layers = map.convert(ConversionParams::paper());
   expectCells(layers.slope, {{kNaN, kNaN}, {kNaN, kNaN}});
   expectCells(layers.ground, {{-1, 0}, {0, -1}});
   EXPECT_EQ(freespace::statistics(layers).slopeUnknown, 2u);

@@ -16,7 +16,7 @@ using test::Plan;
 /** At 0.1 m a step of 2 voxels (0.2 m); gaps in metres. */
 ConversionParams seen(double maxGap, double maxHiddenGap, double maxStep = 0.2)
 {
-  ConversionParams params;
+  auto params = ConversionParams::paper();
   params.floorFrom = freespace::FloorFrom::Seen;
   params.minClearance = 0.5;
   params.maxSlope = 1000;

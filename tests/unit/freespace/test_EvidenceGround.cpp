@@ -16,7 +16,7 @@ using test::Plan;
 /** At 0.1 m a step of 2 voxels (0.2 m), so that drop edges begin at more than 3. */
 ConversionParams seen(double maxStep = 0.2)
 {
-  ConversionParams params;
+  auto params = ConversionParams::paper();
   params.floorFrom = freespace::FloorFrom::Seen;
   params.minClearance = 0.1;
   params.maxSlope = 1000;

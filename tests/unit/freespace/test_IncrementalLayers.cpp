@@ -28,7 +28,7 @@ void flatFloor(HandMap& map)
 
 TEST(IncrementalLayers, BeginEmpty)
 {
-  const IncrementalLayers layers;
+  const IncrementalLayers layers(freespace::ConversionParams::paper());
   EXPECT_TRUE(layers.layers().frame().empty());
   EXPECT_EQ(layers.params().minClearance, 1.0);
 }
@@ -36,7 +36,7 @@ TEST(IncrementalLayers, BeginEmpty)
 TEST(IncrementalLayers, AnEmptyMapGivesEmptyLayers)
 {
   const HandMap map(0.1);
-  IncrementalLayers layers({}, 1);
+  IncrementalLayers layers(freespace::ConversionParams::paper(), 1);
   layers.rebuild(map.source());
   EXPECT_TRUE(layers.layers().frame().empty());
   EXPECT_TRUE(layers.exact(map.source()).frame().empty());
@@ -48,7 +48,7 @@ TEST(IncrementalLayers, RebuildLiesOnTheBoundingBox)
 {
   HandMap map(0.1);
   map.free(3, -2, 0, 20).free(5, 1, 0, 20);
-  IncrementalLayers layers({}, 1);
+  IncrementalLayers layers(freespace::ConversionParams::paper(), 1);
   layers.rebuild(map.source());
   EXPECT_EQ(layers.layers().frame(), (grid::GridFrame{0.1, 3, -2, 3, 4}));
 }
@@ -57,7 +57,7 @@ TEST(IncrementalLayers, RebuildOnAGivenFrame)
 {
   HandMap map(0.1);
   map.free(0, 0, 2, 22);
-  IncrementalLayers layers({}, 1);
+  IncrementalLayers layers(freespace::ConversionParams::paper(), 1);
   layers.rebuild(map.source(), grid::GridFrame{0.1, -1, 0, 3, 2});
   expectCells(layers.layers().aerial, {{-1, -1, -1}, {-1, 0, -1}});
   expectCells(layers.layers().floor, {{kNaN, kNaN, kNaN}, {kNaN, 0.2f, kNaN}});
@@ -67,7 +67,7 @@ TEST(IncrementalLayers, ANewWallIsFollowed)
 {
   HandMap map(0.1);
   flatFloor(map);
-  IncrementalLayers layers({}, 1);
+  IncrementalLayers layers(freespace::ConversionParams::paper(), 1);
   layers.rebuild(map.source());
   map.occupied(2, 2, 0, 20);
   EXPECT_FALSE(layers.update(map.source(), columns({{2, 2}})).everywhere);
@@ -82,7 +82,7 @@ TEST(IncrementalLayers, AWallsOccupancyFollowsItsNeighbour)
 {
   HandMap map(0.1);
   map.free(0, 0, 0, 20).occupied(1, 0, 0, 10).occupied(2, 0, 0, 10);
-  IncrementalLayers layers({}, 1);
+  IncrementalLayers layers(freespace::ConversionParams::paper(), 1);
   layers.rebuild(map.source());
   expectCells(layers.layers().aerial, {{0, 0.5f, -1}});
   // the free space becomes [0, 10), all of it beside the wall, whose own column has not changed
@@ -101,7 +101,7 @@ TEST(IncrementalLayers, AWallBesideAChangeKeepsItsOtherNeighbour)
   // inside of a block of columns
   HandMap map(0.1);
   map.free(10, 10, 0, 20).occupied(11, 10, 0, 15).occupied(12, 10, 0, 3);
-  IncrementalLayers layers({}, 1);
+  IncrementalLayers layers(freespace::ConversionParams::paper(), 1);
   layers.rebuild(map.source());
   expectCells(layers.layers().aerial, {{0, 0.75f, -1}});
   map.occupied(12, 10, 3, 4);
@@ -114,7 +114,7 @@ TEST(IncrementalLayers, TheSlopeFollowsWithinItsWindow)
   HandMap map(0.1);
   const std::vector<int> row(7, 0);
   map.floors({row, row, row}, 40);
-  IncrementalLayers layers({}, 1);
+  IncrementalLayers layers(freespace::ConversionParams::paper(), 1);
   layers.rebuild(map.source());
   for (int ky = 0; ky < 3; ++ky) map.occupied(6, ky, 0, 4);  // a floor 4 voxels higher
   layers.update(map.source(), columns({{6, 0}, {6, 1}, {6, 2}}));
@@ -126,7 +126,7 @@ TEST(IncrementalLayers, StepsFollowOneCellAround)
 {
   HandMap map(0.1);
   flatFloor(map);
-  freespace::ConversionParams params;
+  auto params = freespace::ConversionParams::paper();
   params.maxStep = 0.2;
   IncrementalLayers layers(params, 1);
   layers.rebuild(map.source());
@@ -145,7 +145,7 @@ TEST(IncrementalLayers, TheFrameGrowsAndKeepsWhatItHad)
 {
   HandMap map(0.1);
   flatFloor(map);
-  IncrementalLayers layers({}, 1);
+  IncrementalLayers layers(freespace::ConversionParams::paper(), 1);
   layers.rebuild(map.source());
   map.free(-1, 2, 3, 23);
   EXPECT_TRUE(layers.update(map.source(), columns({{-1, 2}})).everywhere);
@@ -168,7 +168,7 @@ TEST(IncrementalLayers, AShrunkMapHasSmallerExactLayers)
 {
   HandMap map(0.1);
   map.free(0, 0, 0, 20).free(1, 0, 0, 20);
-  IncrementalLayers layers({}, 1);
+  IncrementalLayers layers(freespace::ConversionParams::paper(), 1);
   layers.rebuild(map.source());
   map.tree().clear();
   map.free(1, 0, 0, 20);
@@ -181,7 +181,7 @@ TEST(IncrementalLayers, AClearedMapIsUnknown)
 {
   HandMap map(0.1);
   map.free(0, 0, 0, 20).occupied(1, 0, 0, 20);
-  IncrementalLayers layers({}, 1);
+  IncrementalLayers layers(freespace::ConversionParams::paper(), 1);
   layers.rebuild(map.source());
   map.tree().clear();
   layers.update(map.source(), columns({{0, 0}, {1, 0}}));
@@ -194,7 +194,7 @@ TEST(IncrementalLayers, ClearForgetsEverything)
 {
   HandMap map(0.1);
   flatFloor(map);
-  IncrementalLayers layers({}, 1);
+  IncrementalLayers layers(freespace::ConversionParams::paper(), 1);
   layers.rebuild(map.source());
   layers.clear();
   EXPECT_TRUE(layers.layers().frame().empty());

@@ -44,11 +44,13 @@ TEST(LayerFiles, OfVersionsThatKnewNoEvidenceMeanThatTheFloorIsTheGround)
   const auto layers = sample();
   grid::Metadata items = freespace::metadataOf({});
   for (const char* later : {"floorFrom", "maxGap", "maxHiddenGap", "unknown"}) items.erase(later);
+  items["maxStep"] = "0";
   auto bands = layers.styled();
   bands.resize(5);
   grid::writeGeoTiff(path, bands, items);
   const auto file = freespace::readLayersTiff(path);
   EXPECT_EQ(freespace::FloorFrom::LowestFree, file.params.floorFrom);
+  EXPECT_EQ(0.0, file.params.maxStep) << "off, and not auto";
   EXPECT_EQ(0.3f, file.layers.support.at(0, 1));
   EXPECT_TRUE(std::isnan(file.layers.support.at(1, 0)));
   EXPECT_EQ(layers.frame(), file.layers.evidence.frame());
@@ -59,7 +61,7 @@ TEST(LayerFiles, LayersAndParametersComeBack)
 {
   const TempDir dir;
   const std::string path = dir.path("layers.tif");
-  freespace::ConversionParams params;
+  auto params = freespace::ConversionParams::paper();
   params.minClearance = 0.1 + 0.2;  // all digits count
   params.minOccupancy = 0.25;
   params.slopeWindow = 3;
@@ -83,6 +85,16 @@ TEST(LayerFiles, LayersAndParametersComeBack)
       EXPECT_TRUE(a == b || (std::isnan(a) && std::isnan(b))) << expected[i].first << ' ' << c;
     }
   }
+}
+
+TEST(LayerFiles, AutoComesBack)
+{
+  const TempDir dir;
+  const std::string path = dir.path("layers.tif");
+  freespace::writeLayersTiff(path, sample(), {});
+  const auto params = freespace::readLayersTiff(path).params;
+  EXPECT_FALSE(params.maxStep);
+  EXPECT_EQ(freespace::FloorFrom::Seen, params.floorFrom);
 }
 
 TEST(LayerFiles, FilesOfOthersAreRefused)

@@ -29,7 +29,7 @@ TEST(ThinWalls, AFenceIsMarkedOnlyFromMinThinWallOn)
   for (const int window : {1, 2, 3})
     for (const double maxSlope : {0.95, 1.3, 1.95})
     {
-      ConversionParams params;
+      auto params = ConversionParams::paper();
       params.slopeWindow = window;
       params.maxSlope = maxSlope;
       const double lowest = params.minThinWall(0.1);
@@ -39,9 +39,9 @@ TEST(ThinWalls, AFenceIsMarkedOnlyFromMinThinWallOn)
     }
 }
 
-TEST(ThinWalls, WithTheDefaultsThatIsOneMetre)
+TEST(ThinWalls, WithThePapersParametersThatIsOneMetre)
 {
-  const ConversionParams params;
+  const auto params = ConversionParams::paper();
   EXPECT_NEAR(params.minThinWall(0.1), 1.0, 1e-12);
   EXPECT_NEAR(params.minThinWall(0.2), 2.0, 1e-12);
   EXPECT_FALSE(isMarked(9, false, params));
@@ -52,8 +52,8 @@ TEST(ThinWalls, WithTheDefaultsThatIsOneMetre)
 TEST(ThinWalls, APostHardlyEver)
 {
   // at the window's corner its slope has both components, each a fifth of a wall's
-  EXPECT_FALSE(isMarked(30, true, {}));
-  EXPECT_TRUE(isMarked(36, true, {}));
+  EXPECT_FALSE(isMarked(30, true, ConversionParams::paper()));
+  EXPECT_TRUE(isMarked(36, true, ConversionParams::paper()));
 }
 
 }  // namespace

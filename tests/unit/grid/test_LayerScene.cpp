@@ -1,7 +1,9 @@
 #include <gtest/gtest.h>
 #include <mrpt/opengl/CMesh.h>
+#include <mrpt/opengl/COpenGLScene.h>
 #include <mrpt_mapconv/grid/LayerScene.h>
 #include <mrpt_mapconv/grid/OccupancyCell.h>
+#include <mrpt_mapconv/grid/PictureColors.h>
 
 #include <cmath>
 
@@ -41,6 +43,73 @@ TEST(LayerScene, ASurfaceGoesThroughTheCellsCentres)
   EXPECT_EQ(z(2, 0), -3.0f);
   EXPECT_EQ(mask(2, 0), 1.0f);
   EXPECT_EQ(mask(0, 1), 0.0f) << "a cell without a height is a hole";
+}
+
+namespace
+{
+/** A ground robot's layer on kFrame: free, inferred, drop edge; step, frontier, free. */
+struct Ground
+{
+  Layer<float> occupancy{kFrame, kFree}, aerial{kFrame, kFree}, evidence{kFrame, 1},
+      drops{kFrame, 0};
+
+  Ground()
+  {
+    evidence.at(1, 0) = kInferredGround;
+    occupancy.at(2, 0) = drops.at(2, 0) = 1;
+    occupancy.at(0, 1) = 1;
+    occupancy.at(1, 1) = kUnknown;
+  }
+  StyledLayer styled() const
+  {
+    return {"ground", &occupancy, "", "", LayerKind::Occupancy, &aerial, &evidence, &drops};
+  }
+};
+
+bool isSame(const mrpt::img::TColor& a, const mrpt::img::TColor& b)
+{
+  return a.R == b.R && a.G == b.G && a.B == b.B;
+}
+}  // namespace
+
+TEST(LayerScene, ASurfaceMayShowWhereAGroundRobotMayGo)
+{
+  const Layer<float> level(kFrame, 1.0f);
+  const Ground ground;
+  CSetOfObjects scene;
+  drawSurface(styled(level), ground.styled(), scene);
+  const auto mesh = std::dynamic_pointer_cast<mrpt::opengl::CMesh>(scene.getByName("floor"));
+  ASSERT_TRUE(mesh);
+  const auto pixel = [&](unsigned x, unsigned y)
+  {
+    const auto& image = mesh->getTextureImage();
+    const auto channel = [&](unsigned i) { return image.at<std::uint8_t>(y, x, i); };
+    return mrpt::img::TColor(channel(2), channel(1), channel(0));  // x along the rows, BGR
+  };
+  EXPECT_TRUE(isSame(pixel(0, 0), pixel(2, 1))) << "free cells have the colour of their height";
+  EXPECT_FALSE(isSame(pixel(0, 0), pixel(1, 0)));
+  EXPECT_GT(pixel(1, 0).R, pixel(0, 0).R) << "lighter where the ground is inferred";
+  EXPECT_TRUE(isSame(pixel(2, 0), picture::kDropColor));
+  EXPECT_TRUE(isSame(pixel(0, 1), picture::kSteepColor));
+  EXPECT_TRUE(isSame(pixel(1, 1), picture::kFrontierColor));
+}
+
+TEST(LayerScene, TheLegendNamesTheColoursThatThereAre)
+{
+  Ground ground;
+  const auto lines = [&ground]
+  {
+    mrpt::opengl::COpenGLScene scene;
+    drawLegend(ground.styled(), *scene.getViewport());
+    return scene.getViewport()->getTextMessages().messages.size();
+  };
+  EXPECT_EQ(lines(), 4u);
+  ground.drops.at(2, 0) = 0;
+  EXPECT_EQ(lines(), 3u) << "without a drop edge";
+  ground.evidence.at(1, 0) = 1;
+  ground.occupancy.at(1, 1) = kFree;
+  ground.occupancy.at(2, 0) = ground.occupancy.at(0, 1) = kFree;
+  EXPECT_EQ(lines(), 0u) << "only heights";
 }
 
 TEST(LayerScene, ARowOfCellsIsNoSurface)

@@ -32,6 +32,7 @@ void setOptions(CFreeSpaceGridMap2D& map)
   conversion.params.slopeWindow = 1;
   conversion.params.maxSlope = 0.5;
   conversion.params.maxStep = 0.375;
+  conversion.params.floorFrom = freespace::FloorFrom::LowestFree;
   map.setConversionOptions(conversion);
   map.voxelInsertionOptions.maxrange = 4;
   map.voxelInsertionOptions.pruning = false;
@@ -138,6 +139,7 @@ void expectStoredFreeSpaceOptions(const CFreeSpaceGridMap2D& map)
   EXPECT_EQ(1, conversion.params.slopeWindow);
   EXPECT_EQ(0.5, conversion.params.maxSlope);
   EXPECT_EQ(0.375, conversion.params.maxStep);
+  EXPECT_EQ(freespace::FloorFrom::LowestFree, conversion.params.floorFrom);
   EXPECT_EQ(4, map.voxelInsertionOptions.maxrange);
   EXPECT_FALSE(map.voxelInsertionOptions.pruning);
   EXPECT_EQ(0.625, map.voxelInsertionOptions.occupancyThres);

@@ -42,6 +42,7 @@ TEST(CFreeSpaceGridMap2D, TheGridShowsTheLayerOfTheRobot)
   auto options = map.conversionOptions();
   options.params.minClearance = 2;
   options.params.maxStep = 1;
+  options.params.floorFrom = freespace::FloorFrom::LowestFree;
   map.setConversionOptions(options);
   map.setVoxelMap(tree);
   EXPECT_FALSE(map.isEmpty());
@@ -55,6 +56,17 @@ TEST(CFreeSpaceGridMap2D, TheGridShowsTheLayerOfTheRobot)
   options.robot = freespace::Robot::Aerial;
   map.setConversionOptions(options);
   EXPECT_EQ(map.getRawMap(), (std::vector<std::int8_t>{-127, 127, 127, 127, 0, 0}));
+}
+
+TEST(CFreeSpaceGridMap2D, ByDefaultAGroundRobotStandsOnlyOnWhatWasSeen)
+{
+  // free columns: one over something occupied, two over nothing known
+  octomap::OcTree tree(1.0);
+  column(tree, 0, 0, -1, '#', 1);
+  for (int x = 0; x < 3; ++x) column(tree, x, 0, 0, 'f', 3);
+  CFreeSpaceGridMap2D map;
+  map.setVoxelMap(tree);
+  EXPECT_EQ(map.getRawMap(), (std::vector<std::int8_t>{127, 0, 0}));
 }
 
 TEST(CFreeSpaceGridMap2D, InsertingScansGivesWhatAFullConversionGives)
@@ -154,7 +166,8 @@ TEST(CFreeSpaceGridMap2D, TakesAnMrptOctomap)
 {
   mrpt::maps::COctoMap octomap(0.5);
   for (int x = 0; x < 4; ++x)
-    for (int z = 0; z < 3; ++z) octomap.updateVoxel(x * 0.5 + 0.1, 0.1, z * 0.5 + 0.1, x == 3);
+    for (int z = -1; z < 3; ++z)
+      octomap.updateVoxel(x * 0.5 + 0.1, 0.1, z * 0.5 + 0.1, x == 3 || z < 0);
   CFreeSpaceGridMap2D map(0.1);
   map.setVoxelMap(octomap);
   EXPECT_FLOAT_EQ(map.getResolution(), 0.5f);

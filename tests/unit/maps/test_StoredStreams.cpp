@@ -107,7 +107,11 @@ TEST_P(StoredVersion, AnEmptyFreeSpaceMapHasTheDefaults)
   EXPECT_EQ(0.5, map->conversionOptions().params.minOccupancy);
   EXPECT_EQ(2, map->conversionOptions().params.slopeWindow);
   EXPECT_EQ(2.0, map->conversionOptions().params.maxSlope);
-  EXPECT_EQ(0.0, map->conversionOptions().params.maxStep);
+  const bool isOlder = GetParam() != folders().back();
+  const auto paper = freespace::ConversionParams::paper();
+  const freespace::ConversionParams safe;
+  EXPECT_EQ((isOlder ? paper : safe).maxStep, map->conversionOptions().params.maxStep);
+  EXPECT_EQ((isOlder ? paper : safe).floorFrom, map->conversionOptions().params.floorFrom);
   EXPECT_EQ(-1, map->voxelInsertionOptions.maxrange);
   EXPECT_TRUE(map->voxelInsertionOptions.pruning);
   EXPECT_EQ(0.5, map->voxelInsertionOptions.occupancyThres);

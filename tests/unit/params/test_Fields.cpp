@@ -223,6 +223,89 @@ TEST(Fields, TheirTextsSetThem)
   EXPECT_FALSE(params::setFromText("steep", params::Degrees(read.angle)));
 }
 
+/** Options with a name for values of theirs, and a number that may be left to the program. */
+struct NamedOptions : params::ListedOptions<NamedOptions>
+{
+  static constexpr const char* kName = "NamedOptions";
+  static constexpr const char* kStreamName = "named options";
+  static constexpr std::uint8_t kStreamVersion = 1;
+  static constexpr const char* kNamedSet = "tiny";
+  static constexpr const char* kNamedSetMeaning = "for tiny ones";
+  std::optional<double> size = {};
+  std::int32_t legs = 4;
+
+  template <class S, class V>
+  static void visit(S& o, V&& v)
+  {
+    v("size", o.size, "m", "a size");
+    v("legs", o.legs, "", "a number", params::since(1));
+  }
+  void check() const { params::require(!size || *size > 0, "size", *size, "> 0 m or auto"); }
+  void takeNamedSet() { size = 0.01; }
+  static NamedOptions ofOlderFiles()
+  {
+    NamedOptions options;
+    options.legs = 6;
+    return options;
+  }
+};
+
+TEST(Fields, AnOptionalNumberIsANumberOrAuto)
+{
+  NamedOptions options;
+  options.loadFromConfigFile(CConfigFileMemory("[s]\nsize = 2.5"), "s");
+  EXPECT_EQ(2.5, options.size);
+  EXPECT_EQ("2.5", params::textOf(options.size));
+  options.loadFromConfigFile(CConfigFileMemory("[s]\nlegs = 3"), "s");
+  EXPECT_EQ(2.5, options.size) << "a key that is not there changes nothing";
+  options.loadFromConfigFile(CConfigFileMemory("[s]\nsize = Auto ; comment"), "s");
+  EXPECT_FALSE(options.size);
+  EXPECT_EQ("auto", params::textOf(options.size));
+  EXPECT_TRUE(params::setFromText("7", options.size));
+  EXPECT_FALSE(params::setFromText("7 m", options.size));
+  EXPECT_EQ(7, options.size);
+  EXPECT_TRUE(params::setFromText("auto", options.size));
+  EXPECT_FALSE(options.size);
+  std::ostringstream text;
+  params::printFields(options, text);
+  EXPECT_NE(std::string::npos, text.str().find("= auto\n")) << text.str();
+}
+
+TEST(Fields, AStreamTellsAutoFromANumber)
+{
+  for (const auto& size : {std::optional<double>(), std::optional<double>(0.0)})
+  {
+    NamedOptions options, read;
+    options.size = size;
+    read.size = 5;
+    streamed(options, read);
+    EXPECT_EQ(size, read.size);
+  }
+}
+
+TEST(Fields, ANameStandsForValuesThatKeysBesideItReplace)
+{
+  NamedOptions options;
+  options.loadFromConfigFile(CConfigFileMemory("[s]\ntiny = true"), "s");
+  EXPECT_EQ(0.01, options.size);
+  options.loadFromConfigFile(CConfigFileMemory("[s]\nsize = 3\ntiny = true"), "s");
+  EXPECT_EQ(3, options.size);
+  options.loadFromConfigFile(CConfigFileMemory("[s]\ntiny = false"), "s");
+  EXPECT_EQ(3, options.size);
+}
+
+TEST(Fields, WhatAnOlderStreamDoesNotSayMayMeanOtherThanTheDefault)
+{
+  mrpt::io::CMemoryStream memory;
+  auto archive = mrpt::serialization::archiveFrom(memory);
+  archive << std::uint8_t(0) << 0.5;
+  memory.Seek(0);
+  NamedOptions read;
+  read.readFromStream(archive);
+  EXPECT_EQ(0.5, read.size);
+  EXPECT_EQ(6, read.legs);
+}
+
 TEST(Fields, AKeyInOtherCapitalsIsUnknownAndNotRead)
 {
   const CConfigFileMemory source("[s]\nLENGTH = 4\n");

@@ -71,7 +71,7 @@ TEST(LiftParams, LookaheadAndOffset)
 
 TEST(LiftPath, RefusesBadConversionParameters)
 {
-  freespace::ConversionParams conversion;
+  auto conversion = freespace::ConversionParams::paper();
   conversion.slopeWindow = 0;
   const std::string error = errorOf([&] { liftPath({}, flatLayers(), conversion, ground(0, 0)); });
   EXPECT_NE(error.find("slopeWindow = 0"), std::string::npos) << error;

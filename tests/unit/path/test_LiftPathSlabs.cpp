@@ -30,7 +30,7 @@ class LintelMap : public HandMap
         free(kx, ky, 0, 16);
         if (kx == kLintel) occupied(kx, ky, 6, 8);
       }
-    layers = convert({});
+    layers = convert(freespace::ConversionParams::paper());
   }
   LiftedPoint lift(double x, const LiftParams& params, bool withVoxels = true) const
   {
@@ -97,7 +97,7 @@ TEST(LiftPathSlabs, ALowRangeAboveItIsNotKept)
 {
   LintelMap map;
   for (int ky = 0; ky < 10; ++ky) map.occupied(kLintel, ky, 11, 16);  // 0.75 m remain above
-  map.layers = map.convert({});
+  map.layers = map.convert(freespace::ConversionParams::paper());
   const LiftedPoint point = map.lift(1.625, sphere(2.25));
   EXPECT_EQ(point.position.z, 1.0);
   EXPECT_EQ(point.rule, HeightRule::SphereCeiling) << "the column's only kept range ends at 1.5 m";
@@ -112,7 +112,7 @@ TEST(LiftPathSlabs, SlabsThatLeaveNoHeight)
     map.occupied(kLintel + 1, ky, 0, 5).free(kLintel + 1, ky, 5, 9);
     map.occupied(kLintel + 1, ky, 9, 16);  // 1.25 … 2.25 m
   }
-  map.layers = map.convert({});
+  map.layers = map.convert(freespace::ConversionParams::paper());
   EXPECT_EQ(map.lift(1.625, sphere(1)).problem, Infeasibility::NoHeight);
   EXPECT_EQ(map.lift(1.625, sphere(1), false).problem, Infeasibility::None);
 }
@@ -149,7 +149,7 @@ TEST(LiftPathSlabs, RefusesAnotherVoxelMap)
             "voxel map: floor and ceiling of cell (7, 4) are 0.25 and 4 m, but 0 and 4 m in the "
             "layers; it must be the map that the layers were made of");
   filled.occupied(7, 4, 0, 16);
-  filled.layers = filled.convert({});
+  filled.layers = filled.convert(freespace::ConversionParams::paper());
   EXPECT_EQ(errorWith(filled.layers, made).substr(0, 66),
             "voxel map: floor and ceiling of cell (7, 4) are 0 and 4 m, but nan");
   EXPECT_EQ(errorWith(test::flatLayers(0.5), made).substr(0, 44),
@@ -188,7 +188,7 @@ TEST(LiftPathSlabs, ReadsOnlyColumnsInReachAndEachBlockOnce)
   HandMap map(0.25);
   for (int kx = -40; kx < 40; ++kx)
     for (int ky = -3; ky < 5; ++ky) map.free(kx, ky, 0, 8);
-  const freespace::Layers layers = map.convert({});
+  const freespace::Layers layers = map.convert(freespace::ConversionParams::paper());
   const Listener listener(map.source());
   LiftParams params = sphere(1);
   params.safetyRadius = 0.25;

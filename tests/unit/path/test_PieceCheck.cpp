@@ -32,7 +32,7 @@ std::vector<PieceProblem> problems(const freespace::Layers& layers, const LiftPa
 
 TEST(StepLimit, IsTheLargestOfStepVoxelAndSlope)
 {
-  freespace::ConversionParams conversion;
+  auto conversion = freespace::ConversionParams::paper();
   conversion.maxSlope = 2;
   EXPECT_DOUBLE_EQ(StepLimit(conversion, 0.1).at(0.3), 0.6);
   EXPECT_DOUBLE_EQ(StepLimit(conversion, 0.1).at(0.1), 0.2);
@@ -104,7 +104,7 @@ TEST(PieceCheck, AGroundRobotIsAsHighAsMinClearanceAndClimbsAVoxel)
     test::HandMap map(0.1);
     for (int kx = 0; kx < 5; ++kx) map.free(kx, 0, 0, 15);
     map.occupied(2, 0, kz, kz + 1);
-    const freespace::ConversionParams conversion;
+    const auto conversion = freespace::ConversionParams::paper();
     LiftParams params;
     params.robot = robot;
     params.heightOffset = heightOffset;

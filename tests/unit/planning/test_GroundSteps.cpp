@@ -89,7 +89,7 @@ TEST(GroundSteps, MaxStepMaxSlopeAndAVoxelAreAllowed)
 {
   const auto passes = [](const std::string& row, double maxStep, double maxSlope)
   {
-    freespace::ConversionParams conversion;
+    auto conversion = freespace::ConversionParams::paper();
     conversion.maxStep = maxStep;
     conversion.maxSlope = maxSlope;
     return planRobotPath(floors({row, row}), conversion, query(0, 0, 5, 0)).found();
@@ -109,7 +109,7 @@ TEST(GroundSteps, TheStartSaysWhyItIsNotFree)
   auto layers = floors({"000000", "000000"});
   layers.ground.at(1, 0) = 1;
   layers.slope.at(1, 0) = 2.5f;
-  freespace::ConversionParams conversion;
+  auto conversion = freespace::ConversionParams::paper();
   const auto problem = [&] { return planRobotPath(layers, conversion, query(1, 0, 5, 0)).problem; };
   EXPECT_EQ(
       problem(),
@@ -192,7 +192,7 @@ TEST(GroundSteps, ThereIsAPathIfAndOnlyIfLowStepsLeadToTheGoal)
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937 rng(seed);
     const auto layers = randomFloors(rng);
-    freespace::ConversionParams conversion;
+    auto conversion = freespace::ConversionParams::paper();
     conversion.maxSlope = 0.5 * pick(rng, 0, 4);
     conversion.maxStep = 0.1 * pick(rng, 0, 2);
     const auto& frame = layers.frame();

@@ -36,7 +36,7 @@ class Room : public test::HandMap
     query.robotRadius = query.lift.safetyRadius = radius;
     query.lift.robot = robot;
     query.lift.heightOffset = heightOffset;
-    const freespace::ConversionParams conversion;
+    const auto conversion = freespace::ConversionParams::paper();
     const auto layers = convert(conversion);
     EXPECT_FALSE(planRobotPath(layers, conversion, query, voxels).found());
     return findRemedies(layers, conversion, query, voxels);

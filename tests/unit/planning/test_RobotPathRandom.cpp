@@ -133,7 +133,7 @@ void checkOnce(unsigned seed, Tally& tally)
 {
   SCOPED_TRACE("seed " + std::to_string(seed));
   Rng rng(seed);
-  freespace::ConversionParams conversion;
+  auto conversion = freespace::ConversionParams::paper();
   conversion.minClearance = 0.3 + uniform(rng);
   const auto layers = randomLayers(rng, conversion.minClearance);
   RobotPathQuery query;

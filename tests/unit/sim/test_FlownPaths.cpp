@@ -112,7 +112,7 @@ TEST(FlownPaths, NoneTouchesTheWorld)
   const auto scenario = sim::fixtures::load(kRoom + kFurniture + kTour);
   const octomap::OcTree tree = explored(scenario);
   const voxel::OctreeSource<octomap::OcTree> voxels(tree);
-  const freespace::ConversionParams conversion;
+  const auto conversion = freespace::ConversionParams::paper();
   const auto layers = freespace::convert(voxels, conversion);
 
   constexpr unsigned kSeed = 5;

@@ -22,6 +22,15 @@ struct TConversionOptions : public params::ListedOptions<TConversionOptions>
     v("robot", o.robot, "", "whose occupancy the grid shows: ground or aerial");
     ConversionParams::visit(o.params, v);
   }
+  static constexpr const char* kNamedSet = ConversionParams::kNamedSet;
+  static constexpr const char* kNamedSetMeaning = ConversionParams::kNamedSetMeaning;
+  void takeNamedSet() { params.takeNamedSet(); }
+  static TConversionOptions ofOlderFiles()
+  {
+    TConversionOptions options;
+    options.params = ConversionParams::ofOlderFiles();
+    return options;
+  }
   /** \exception std::invalid_argument naming the parameter, its value and what would be right */
   void check() const { params.check(); }
 

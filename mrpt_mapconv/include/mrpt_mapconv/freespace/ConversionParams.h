@@ -4,6 +4,7 @@
 #include <mrpt_mapconv/voxel/UnknownVoxels.h>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,7 +24,9 @@ inline const std::vector<std::string>& namesOf(FloorFrom)
   return names;
 }
 
-/** Parameters of the free-space projection; the defaults are Table I of Fredriksson et al. 2024. */
+/** Parameters of the free-space projection. The defaults are Table I of Fredriksson et al. 2024,
+ * but for what makes a map safe for a ground robot: steps are looked at, and the ground is where it
+ * was seen; see takeNamedSet(). */
 struct ConversionParams
 {
   double minClearance = 1.0;  //!< R_maxZ: a free range must be at least this high [m]
@@ -31,11 +34,13 @@ struct ConversionParams
       0.5;  //!< O_min: least share of a neighbour's free range that blocks, [0, 1]
   std::int32_t slopeWindow = 2;  //!< S_A: half side of the slope's window [cells], 1 … 100
   double maxSlope = 2.0;         //!< R_MS: a ground robot's steepest slope [m/m]
-  double maxStep = 0.0;  //!< highest step between 8-neighbours for a ground robot [m]; 0 = off
-  voxel::ReadingParams reading = {};            //!< how the voxel map is read
-  FloorFrom floorFrom = FloorFrom::LowestFree;  //!< what slopes, steps and Layers::support are of
+  /** Highest step between 8-neighbours for a ground robot [m]; none = auto, max(0.2 m, one voxel);
+   * 0 = off. */
+  std::optional<double> maxStep = {};
+  voxel::ReadingParams reading = {};      //!< how the voxel map is read
+  FloorFrom floorFrom = FloorFrom::Seen;  //!< what slopes, steps and Layers::support are of
   /** Longest gap between two seen cells over which the ground between them is inferred [m], with
-   * `floorFrom = seen`. Let h be maxStep, or max(0.2 m, one voxel) if that is 0, in whole voxels.
+   * `floorFrom = seen`. Let h be maxStepVoxels().
    * Of an open cell (see evidence::kOpen) the nearest seen cells on either side are taken, on each
    * of four axes, with no wall between. The straight line between their supports counts if (a)
    * these differ by at most h; (b) at the cell it is at most one voxel above the cell's floor, or
@@ -57,7 +62,9 @@ struct ConversionParams
     v("slopeWindow", p.slopeWindow, "cells",
       "half side of the window over which a cell's slope is fitted", flag("N"));
     v("maxSlope", p.maxSlope, "m/m", "steepest slope for a ground robot", flag("S"));
-    v("maxStep", p.maxStep, "m", "highest step for a ground robot; 0 = not looked at", flag("M"));
+    v("maxStep", p.maxStep, "m",
+      "highest step for a ground robot; auto = 0.2 m, but a voxel at least; 0 = not looked at",
+      flag("M"));
     voxel::ReadingParams::visit(p.reading, v);
     v("floorFrom", p.floorFrom, "",
       "where the ground is: lowestFree = bottom of the lowest free range, seen = only where it was "
@@ -71,12 +78,25 @@ struct ConversionParams
   /** \exception std::invalid_argument naming the parameter, its value and what would be right */
   void check() const;
 
+  static constexpr const char* kNamedSet = "paper";
+  static constexpr const char* kNamedSetMeaning =
+      "the conversion of Fredriksson et al. 2024 with its Table I: no steps are looked for and the "
+      "lowest free voxel is the floor, so fences and drops may count as free";
+  /** Takes the values of that paper; `reading` and the gaps, which it does not have, stay. */
+  void takeNamedSet();
+  /** The parameters of that paper. */
+  static ConversionParams paper();
+  /** What a stream or file means that does not say all of them, since it is older. */
+  static ConversionParams ofOlderFiles();
+
   /** Voxels that a free range needs: max(1, ceil(minClearance/res − 1e-6)). */
   std::int32_t minRunVoxels(double resolution) const;
-  /** Largest floor difference in voxels that is no step; only meaningful with maxStep > 0. */
+  /** Whether steps and drop edges are looked for: unless maxStep = 0. */
+  bool looksForSteps() const { return !maxStep || *maxStep > 0; }
+  /** What is no step [m]: maxStep, or max(0.2 m, one voxel) where that is auto or off. */
+  double stepHeight(double resolution) const;
+  /** The same in whole voxels. */
   std::int32_t maxStepVoxels(double resolution) const;
-  /** h of maxGap: what is no step between the supports of seen cells [voxels]. */
-  std::int32_t supportStepVoxels(double resolution) const;
   /** Height of the lowest straight step that the slope test marks: maxSlope·res·(2·S_A+1)/1.5 [m].
    * Averaging over the window hides lower ones; maxStep finds them. */
   double minStep(double resolution) const;

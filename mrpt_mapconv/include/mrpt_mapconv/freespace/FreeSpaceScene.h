@@ -25,7 +25,13 @@ struct TLayerSceneOptions
 
 /** Adds the floor (and the ceiling) to a 3D scene, as surfaces in the map frame [m] made of MRPT's
  * own objects, so that a scene file opens in SceneViewer3D without this library. */
-void drawFreeSpace(const freespace::Layers& layers, const TLayerSceneOptions& options,
+void drawFreeSpace(const Layers& layers, const TLayerSceneOptions& options,
                    mrpt::opengl::CSetOfObjects& scene);
+
+/** The same for a ground robot: the floor lies on the support where there is one.
+ * \param occupancy the ground layer with its drop edges (see Layers::styled()): where it is not
+ * free, or the ground is inferred, its colours stand instead of the height's */
+void drawGround(const Layers& layers, const TLayerSceneOptions& options,
+                const grid::StyledLayer& occupancy, mrpt::opengl::CSetOfObjects& scene);
 
 }  // namespace mrpt_mapconv::freespace

@@ -11,6 +11,8 @@
 #include <cmath>
 #include <cstdint>
 #include <iomanip>
+#include <limits>
+#include <optional>
 #include <ostream>
 #include <stdexcept>
 #include <string>
@@ -37,7 +39,8 @@
  * \endcode
  *
  * S is the struct or its const. V is called with (name, field, unit, meaning) and, where there is
- * more to say, an About. A field is a number, a bool, an enumeration, or such a number in Degrees.
+ * more to say, an About. A field is a number, a bool, an enumeration, a number in Degrees, or an
+ * optional number, which is written "auto" where there is none: what is right for the map at hand.
  * A struct that holds another one calls its visit(). An enumeration has a function `const
  * std::vector<std::string>& namesOf(Enum)` beside it: its values' names, from 0 on. */
 namespace mrpt_mapconv::params
@@ -105,8 +108,23 @@ constexpr bool isDegrees = false;
 template <class Number>
 constexpr bool isDegrees<Degrees<Number>> = true;
 
+template <class Field>
+constexpr bool isOptional = false;
+template <class Number>
+constexpr bool isOptional<std::optional<Number>> = true;
+
+/** A struct may have values that are known by a name: `static constexpr const char* kNamedSet`, its
+ * meaning in `kNamedSetMeaning`, and takeNamedSet(). `name = true` in a section takes them; keys
+ * beside it replace what they name. */
+template <class Params, class = void>
+constexpr bool hasNamedSet = false;
+template <class Params>
+constexpr bool hasNamedSet<Params, std::void_t<decltype(Params::kNamedSet)>> = true;
+
 namespace internal
 {
+constexpr double kNoNumber = std::numeric_limits<double>::quiet_NaN();  // in a stream
+
 /** The double that is written as briefly as the float is: 0.65 and not 0.6499999761581421. */
 inline double asWritten(float value)
 {
@@ -130,18 +148,35 @@ auto shownValue(const Field& field)
     return field;
 }
 
-/** The same as a text that reads back as the same value. */
+/** Calls show() with the value as files and people see it: a bool, a number, or a text. */
+template <class Field, class Show>
+void showValue(const Field& field, const Show& show)
+{
+  if constexpr (!isOptional<Field>)
+    show(shownValue(field));
+  else if (field)
+    show(shownValue(*field));
+  else
+    show(std::string(kAuto));
+}
+
+/** The value as a text that reads back as the same. */
 template <class Field>
 std::string textOf(const Field& field)
 {
-  auto value = shownValue(field);
-  using Value = std::decay_t<decltype(value)>;
-  if constexpr (std::is_same_v<Value, std::string>)
-    return value;
-  else if constexpr (std::is_same_v<Value, bool>)
-    return value ? "true" : "false";
-  else
-    return shortestText(value);
+  std::string text;
+  showValue(field,
+            [&text](const auto& value)
+            {
+              using Value = std::decay_t<decltype(value)>;
+              if constexpr (std::is_same_v<Value, std::string>)
+                text = value;
+              else if constexpr (std::is_same_v<Value, bool>)
+                text = value ? "true" : "false";
+              else
+                text = shortestText(value);
+            });
+  return text;
 }
 
 /** Reads what textOf() gives, wholly. \return false, and the field as it was, for any other text */
@@ -154,6 +189,17 @@ bool setFromText(const std::string& text, Field&& field)
     auto degrees = field.value();
     if (!readWhole(text, degrees)) return false;
     field.set(degrees);
+    return true;
+  }
+  else if constexpr (isOptional<Value>)
+  {
+    typename Value::value_type number{};
+    if (text == kAuto)
+      field.reset();
+    else if (readWhole(text, number))
+      field = number;
+    else
+      return false;
     return true;
   }
   else if constexpr (std::is_same_v<Value, bool>)
@@ -191,6 +237,12 @@ bool isSet(const Field& field)
 template <class Params>
 void readFields(StrictSection& ini, Params& params)
 {
+  if constexpr (hasNamedSet<Params>)
+  {
+    bool isTaken = false;
+    ini.read(Params::kNamedSet, isTaken);
+    if (isTaken) params.takeNamedSet();
+  }
   visitFields(params,
               [&ini](const char* name, auto&& field, const char*, const char*, About = {})
               {
@@ -239,15 +291,18 @@ void printFields(const Params& params, std::ostream& out)
   visitFields(params,
               [&out](const char* name, const auto& field, const char*, const char*, About = {})
               {
-                const auto value = shownValue(field);
-                using Value = std::decay_t<decltype(value)>;
                 out << std::left << std::setw(41) << name << "= ";
-                if constexpr (std::is_same_v<Value, bool>)
-                  out << (value ? "YES" : "NO") << "\n";
-                else if constexpr (std::is_same_v<Value, double>)
-                  out << mrpt::format("%f", value) << "\n";
-                else
-                  out << value << "\n";
+                showValue(field,
+                          [&out](const auto& value)
+                          {
+                            using Value = std::decay_t<decltype(value)>;
+                            if constexpr (std::is_same_v<Value, bool>)
+                              out << (value ? "YES" : "NO") << "\n";
+                            else if constexpr (std::is_same_v<Value, double>)
+                              out << mrpt::format("%f", value) << "\n";
+                            else
+                              out << value << "\n";
+                          });
               });
 }
 
@@ -261,6 +316,8 @@ void writeFields(const Params& params, mrpt::serialization::CArchive& out)
                 using Field = std::decay_t<decltype(field)>;
                 if constexpr (isDegrees<Field>)
                   out << field.radians;
+                else if constexpr (isOptional<Field>)
+                  out << field.value_or(internal::kNoNumber);
                 else if constexpr (std::is_enum_v<Field>)
                   out << static_cast<std::uint8_t>(field);
                 else
@@ -284,6 +341,13 @@ void readFields(mrpt::serialization::CArchive& in, Params& params, std::uint8_t 
         if (about.sinceVersion > version) return;
         if constexpr (isDegrees<Field>)
           in >> field.radians;
+        else if constexpr (isOptional<Field>)
+        {
+          double number = 0;
+          in >> number;
+          field = number;
+          if (std::isnan(number)) field.reset();
+        }
         else if constexpr (std::is_enum_v<Field>)
         {
           std::uint8_t index = 0;

@@ -16,7 +16,9 @@ namespace mrpt_mapconv::params
  * static constexpr const char* kName = "TMyOptions";      // for people
  * static constexpr const char* kStreamName = "my options";  // likewise, in errors
  * static constexpr std::uint8_t kStreamVersion = 0;       // one more with each new field
- * \endcode */
+ * \endcode
+ * Fields that a stream is too old for get their values from ofOlderFiles(), which Options may have
+ * of its own. */
 template <class Options>
 struct ListedOptions : public mrpt::config::CLoadableOptions
 {
@@ -63,10 +65,12 @@ struct ListedOptions : public mrpt::config::CLoadableOptions
     if (version > Options::kStreamVersion)
       throw std::runtime_error(std::string(Options::kStreamName) + ": unknown version " +
                                std::to_string(version));
-    Options read;
+    Options read = Options::ofOlderFiles();
     readFields(in, read, version, Options::kStreamName);
     self() = read;
   }
+
+  static Options ofOlderFiles() { return {}; }
 
  private:
   Options& self() { return static_cast<Options&>(*this); }

@@ -9,6 +9,9 @@
 
 namespace mrpt_mapconv::params
 {
+/** What stands for an optional number that is not there. */
+constexpr const char* kAuto = "auto";
+
 /** The shortest text that reads back as the same number, whatever the locale. */
 template <class Number>
 std::string shortestText(Number value)

@@ -8,7 +8,8 @@
 namespace mrpt_mapconv::path
 {
 /** How much the height of a ground robot's path may change between two neighbouring points:
- * max(maxStep, one voxel, maxSlope · their horizontal distance).
+ * max(maxStep, one voxel, maxSlope · their horizontal distance); a maxStep that is off adds
+ * nothing.
  *
  * A distance of less than a cell counts as one: floors change from cell to cell, so how near to the
  * border between two the points lie is of no account. */
@@ -18,7 +19,8 @@ class StepLimit
   /** \param resolution of the layers [m] */
   StepLimit(const freespace::ConversionParams& conversion, double resolution)
       : m_cell(resolution),
-        m_least(std::max(conversion.maxStep, resolution)),
+        m_least(std::max(conversion.looksForSteps() ? conversion.stepHeight(resolution) : 0,
+                         resolution)),
         m_slope(conversion.maxSlope)
   {
   }
