@@ -1,3 +1,4 @@
+#include <mrpt_mapconv/freespace/RobotLayers.h>
 #include <mrpt_mapconv/grid/CellKey.h>
 #include <mrpt_mapconv/grid/OccupancyCell.h>
 #include <mrpt_mapconv/path/PieceCheck.h>
@@ -25,10 +26,10 @@ struct HeightRange
   double low, high;
 };
 
-double floorBelow(const Layers& layers, const TPoint3D& at)
+double heightBelow(const grid::Layer<float>& heights, const TPoint3D& at)
 {
-  const grid::GridFrame& frame = layers.frame();
-  return static_cast<double>(layers.floor.cells()[frame.indexOfKey(
+  const grid::GridFrame& frame = heights.frame();
+  return static_cast<double>(heights.cells()[frame.indexOfKey(
       grid::cellKey(at.x, frame.resolution), grid::cellKey(at.y, frame.resolution))]);
 }
 
@@ -50,12 +51,13 @@ std::optional<HeightRange> outsideFreeRange(const Layers& layers, Robot robot,
   const grid::GridFrame& frame = layers.frame();
   if (!frame.containsKey(column.kx, column.ky)) return std::nullopt;
   const std::size_t cell = frame.indexOfKey(column.kx, column.ky);
-  const auto floor = static_cast<double>(layers.floor.cells()[cell]);
-  if (std::isnan(floor))
+  if (std::isnan(layers.floor.cells()[cell]))
     return grid::isOccupied(layers.aerial.cells()[cell]) ? std::optional(body) : std::nullopt;
-  if (body.low < floor - kHeightSlack) return HeightRange{body.low, floor};
+  // between the ground and the free range over it nothing is known to be occupied
+  const auto bottom = static_cast<double>(freespace::heightsFor(layers, robot).cells()[cell]);
+  if (body.low < bottom - kHeightSlack) return HeightRange{body.low, bottom};
   const auto ceiling = static_cast<double>(layers.ceiling.cells()[cell]);
-  // a ground robot stands on the column's own floor, over which there is room for it
+  // a ground robot stands on the column's own ground, over which there is room for it
   if (robot == Robot::Aerial && body.high > ceiling + kHeightSlack)
     return HeightRange{ceiling, body.high};
   return std::nullopt;
@@ -116,8 +118,9 @@ std::vector<PieceProblem> PieceCheck::problems(const LiftedPath& path) const
 
 void PieceCheck::addSteps(const LiftedPath& path, Kind kind, std::vector<PieceProblem>& found) const
 {
+  const grid::Layer<float>& ground = freespace::heightsFor(m_layers, m_params.robot);
   const auto heightAt = [&](const TPoint3D& at)
-  { return kind == Kind::FloorStep ? floorBelow(m_layers, at) : at.z; };
+  { return kind == Kind::FloorStep ? heightBelow(ground, at) : at.z; };
   forEachPiece(path,
                [&](std::size_t index, const TPoint3D& from, const TPoint3D& to)
                {

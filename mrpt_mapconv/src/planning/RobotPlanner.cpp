@@ -38,7 +38,8 @@ RobotPlanner::RobotPlanner(const freespace::Layers& layers,
       m_looked(layers.frame(), 0)
 {
   if (isGround())
-    blockFloorSteps(layers.floor, path::StepLimit(conversion, layers.frame().resolution), m_search);
+    blockFloorSteps(freespace::heightsFor(layers, query.lift.robot),
+                    path::StepLimit(conversion, layers.frame().resolution), m_search);
 }
 
 RobotPath RobotPlanner::plan()

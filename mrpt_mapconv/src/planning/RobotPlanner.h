@@ -1,5 +1,6 @@
 #pragma once
 
+#include <mrpt_mapconv/freespace/RobotLayers.h>
 #include <mrpt_mapconv/planning/RobotPath.h>
 
 #include <string>
@@ -24,7 +25,7 @@ class RobotPlanner
   bool isGround() const { return m_query.lift.robot == freespace::Robot::Ground; }
   const grid::Layer<float>& occupancy() const
   {
-    return isGround() ? m_layers.ground : m_layers.aerial;
+    return freespace::occupancyFor(m_layers, m_query.lift.robot);
   }
   path::LiftedPath lift(const std::vector<mrpt::math::TPoint2D>& points) const;
   path::LiftedPath liftCentre(Cell cell) const;

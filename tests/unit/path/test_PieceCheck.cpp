@@ -4,6 +4,7 @@
 
 #include "FlatLayers.h"
 #include "support/HandMap.h"
+#include "support/SeenGround.h"
 
 namespace
 {
@@ -27,7 +28,8 @@ LiftedPath pathOf(const std::vector<TPoint3D>& points)
 std::vector<PieceProblem> problems(const freespace::Layers& layers, const LiftParams& params,
                                    const std::vector<TPoint3D>& points)
 {
-  return PieceCheck(layers, {}, params, nullptr).problems(pathOf(points));
+  const freespace::Layers seen = test::withSeenGround(layers);
+  return PieceCheck(seen, {}, params, nullptr).problems(pathOf(points));
 }
 
 TEST(StepLimit, IsTheLargestOfStepVoxelAndSlope)

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "../../oracle/PieceOracle.h"
+#include "support/SeenGround.h"
 
 namespace
 {
@@ -33,7 +34,7 @@ freespace::Layers floors(const std::vector<std::string>& rows)
       layers.slope.at(ix, iy) = 0;
       layers.aerial.at(ix, iy) = layers.ground.at(ix, iy) = 0;
     }
-  return layers;
+  return test::withSeenGround(layers);
 }
 
 RobotPathQuery query(int fromX, int fromY, int toX, int toY)
@@ -154,7 +155,7 @@ freespace::Layers randomFloors(std::mt19937& rng)
         if (wall) layers.ground.at(ix, iy) = 1;
       }
   }
-  return layers;
+  return test::withSeenGround(layers);
 }
 
 /** Whether steps that are low enough lead from cell to cell. */
