@@ -20,12 +20,6 @@ using freespace::Robot;
 using mrpt::math::TPoint3D;
 using Kind = PieceProblem::Kind;
 
-/** Heights, upwards [m]. */
-struct HeightRange
-{
-  double low, high;
-};
-
 double heightBelow(const grid::Layer<float>& heights, const TPoint3D& at)
 {
   const grid::GridFrame& frame = heights.frame();
@@ -33,18 +27,7 @@ double heightBelow(const grid::Layer<float>& heights, const TPoint3D& at)
       grid::cellKey(at.x, frame.resolution), grid::cellKey(at.y, frame.resolution))]);
 }
 
-/** The lowest occupied voxel that a body meets in a column; nothing if there is none. */
-std::optional<HeightRange> occupiedVoxel(VoxelLookup& voxels, double resolution,
-                                         const SegmentColumn& column, const HeightRange& body)
-{
-  const auto begin = static_cast<std::int32_t>(std::floor((body.low + kHeightSlack) / resolution));
-  const auto end = static_cast<std::int32_t>(std::ceil((body.high - kHeightSlack) / resolution));
-  const auto found = voxels.lowestOccupied(column.kx, column.ky, begin, end);
-  if (!found) return std::nullopt;
-  return HeightRange{*found * resolution, (*found + 1) * resolution};
-}
-
-/** What the layers alone say of that. */
+/** What a body meets in a column, as far as the layers alone tell. */
 std::optional<HeightRange> outsideFreeRange(const Layers& layers, Robot robot,
                                             const SegmentColumn& column, const HeightRange& body)
 {
@@ -141,10 +124,9 @@ void PieceCheck::addCrossings(const LiftedPath& path, std::vector<PieceProblem>&
 {
   const bool ground = m_params.robot == Robot::Ground;
   // from the robot's lowest to its highest part that must be clear, over the path
-  const HeightRange body = ground ? HeightRange{m_limit.least() - m_params.heightOffset,
-                                                m_minClearance - m_params.heightOffset}
-                                  : HeightRange{0, 0};
-  if (body.low > body.high) return;  // a robot no higher than what it climbs
+  const HeightRange body =
+      ground ? groundBody(m_limit, m_minClearance) + -m_params.heightOffset : HeightRange{0, 0};
+  if (body.empty()) return;
   const double resolution = m_layers.frame().resolution;
   std::optional<VoxelLookup> voxels;
   if (m_voxels) voxels.emplace(*m_voxels);
@@ -152,7 +134,7 @@ void PieceCheck::addCrossings(const LiftedPath& path, std::vector<PieceProblem>&
   {
     const HeightRange swept{std::min(column.from.z, column.to.z) + body.low,
                             std::max(column.from.z, column.to.z) + body.high};
-    return voxels ? occupiedVoxel(*voxels, resolution, column, swept)
+    return voxels ? voxels->lowestOccupied(column.kx, column.ky, swept)
                   : outsideFreeRange(m_layers, m_params.robot, column, swept);
   };
   forEachPiece(

@@ -31,7 +31,7 @@ std::string whyNotFree(const freespace::Layers& layers,
     text << "the slope there, " << params::roundedText(static_cast<double>(slope))
          << ", is above maxSlope = " << conversion.maxSlope;
   else if (freespace::DropWalk(conversion, layers).isEdge(cell.x, cell.y))
-    text << "it is the edge of a drop: next to it the floor lies lower by more than maxStep = "
+    text << "it is the edge of a drop: within 1 m the floor lies lower by more than maxStep = "
          << conversion.maxStep << " m and a voxel";
   else
     text << "the step to a cell beside it is above maxStep = " << conversion.maxStep << " m";
