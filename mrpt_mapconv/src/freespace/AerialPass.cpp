@@ -103,9 +103,10 @@ float AerialPass::wallOccupancy(std::int32_t ix, std::int32_t iy, const Occupied
       std::int32_t overlap = 0;
       for (const auto* run = begin; run != end; ++run)
         overlap += std::max(0, std::min(run->end, ceiling) - std::max(run->begin, floor));
+      if (overlap == 0) continue;
       const double height = ceiling - floor;
       const double share = overlap / height;
-      if (overlap == 0 || share < best) continue;
+      if (share < best) continue;
       best = share;
       blocked = overlap >= m_params.minOccupancy * height - 1e-9 * height;
     }

@@ -35,15 +35,17 @@ void andShifted(std::uint64_t* plane, std::int32_t count, std::int32_t words, st
 std::uint32_t columnsWithBits(const std::uint64_t* plane, std::int32_t words, std::int32_t y)
 {
   if (words == 0) return 0;
+  std::array<std::uint32_t, voxel::kBlockSide> any;  // bits of any word, its halves on each other
   const std::uint64_t* row = plane + y * voxel::kBlockSide;
-  std::array<std::uint64_t, voxel::kBlockSide> bits;
-  std::copy_n(row, bits.size(), bits.begin());
+  const auto folded = [&](std::size_t x)
+  { return static_cast<std::uint32_t>(row[x]) | static_cast<std::uint32_t>(row[x] >> 32); };
+  for (std::size_t x = 0; x < any.size(); ++x) any[x] = folded(x);
   for (std::int32_t w = 1; w < words; ++w)
   {
     row += kBlockColumns;
-    for (std::size_t x = 0; x < bits.size(); ++x) bits[x] |= row[x];
+    for (std::size_t x = 0; x < any.size(); ++x) any[x] |= folded(x);
   }
-  return rowWhere([&](std::int32_t x) { return bits[static_cast<std::size_t>(x)] != 0; });
+  return rowWhere([&](std::int32_t x) { return any[static_cast<std::size_t>(x)] != 0; });
 }
 
 void appendRunsOf(const voxel::ColumnBlock& block, std::int32_t column,
