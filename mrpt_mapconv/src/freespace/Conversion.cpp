@@ -26,6 +26,18 @@ std::optional<grid::GridFrame> knownFrame(const voxel::VoxelSource& source)
   return voxel::frameOf(*box, source.resolution());
 }
 
+/** The blocks of a set from the lowest y up, each row from the lowest x, as cells lie in memory. */
+std::vector<voxel::BlockKey> rowByRow(const voxel::ColumnSet::Blocks& blocks)
+{
+  std::vector<voxel::BlockKey> keys;
+  keys.reserve(blocks.size());
+  for (const auto& [key, mask] : blocks) keys.push_back(key);
+  std::sort(keys.begin(), keys.end(),
+            [](const voxel::BlockKey& a, const voxel::BlockKey& b)
+            { return std::tie(a.y, a.x) < std::tie(b.y, b.x); });
+  return keys;
+}
+
 using Strip = std::vector<BlockJob>;
 
 /** Jobs for the touched blocks in strips of whole rows of blocks, from the lowest y up: what a
@@ -36,13 +48,11 @@ class Strips
   /** \param reach columns that may depend on those in `changed`
    * \param halo cells around a block that its second pass looks at */
   Strips(const voxel::ColumnSet& changed, const voxel::ColumnSet& reach, std::int32_t halo)
-      : m_changed(changed), m_reach(reach), m_leastRows((halo - 1) / voxel::kBlockSide + 1)
+      : m_changed(changed),
+        m_reach(reach),
+        m_leastRows((halo - 1) / voxel::kBlockSide + 1),
+        m_keys(rowByRow(reach.blocks()))
   {
-    m_keys.reserve(reach.blocks().size());
-    for (const auto& [key, mask] : reach.blocks()) m_keys.push_back(key);
-    std::sort(m_keys.begin(), m_keys.end(),
-              [](const voxel::BlockKey& a, const voxel::BlockKey& b)
-              { return std::tie(a.y, a.x) < std::tie(b.y, b.x); });
   }
 
   /** The next strip; empty when there is none left. */
@@ -149,14 +159,13 @@ Differences convertColumns(const voxel::VoxelSource& source, const voxel::Column
 void findGround(const voxel::ColumnSet& columns, const ConversionParams& params, int threads,
                 Layers& layers)
 {
-  const std::vector<std::pair<voxel::BlockKey, voxel::ColumnMask>> blocks(columns.blocks().begin(),
-                                                                          columns.blocks().end());
+  const std::vector<voxel::BlockKey> blocks = rowByRow(columns.blocks());
   grid::inParallel(blocks.size(), threads,
                    [&](std::size_t begin, std::size_t end)
                    {
                      GroundPass ground(params, layers);
                      for (std::size_t i = begin; i < end; ++i)
-                       ground.run(blocks[i].first, blocks[i].second);
+                       ground.run(blocks[i], columns.blocks().at(blocks[i]));
                    });
 }
 

@@ -53,7 +53,7 @@ void GroundPass::run(voxel::BlockKey block, const voxel::ColumnMask& columns)
   const BlockPlace place(block, m_layers.frame());
   m_supports.load(m_layers.support, block);
   const voxel::ColumnMask supported = columns & withSupport();
-  writeUnsupported(place, columns & ~supported);
+  writeUnsupported(place, columns, supported);
   if (!any(supported)) return;
   m_slopeFilter.compute(m_supports, boundsOf(supported), m_slope);
   writeSupported(place, supported, stepsOrDrops(block, supported));
@@ -71,22 +71,25 @@ voxel::ColumnMask GroundPass::withSupport() const
   return mask;
 }
 
-/** Where no ground is known nobody can stand, however free the air is. */
-void GroundPass::writeUnsupported(const BlockPlace& place, const voxel::ColumnMask& columns)
+/** Where no ground is known nobody can stand, however free the air is. Writes all columns of a row
+ * with such a cell, since whole rows are vectors; supported cells are to be written after it. */
+void GroundPass::writeUnsupported(const BlockPlace& place, const voxel::ColumnMask& columns,
+                                  const voxel::ColumnMask& supported)
 {
-  forEachRow(columns,
-             [&](std::int32_t y, std::uint32_t row)
-             {
-               const float* aerial = m_layers.aerial.row(place.y + y) + place.x;
-               float* slope = m_layers.slope.row(place.y + y) + place.x;
-               float* ground = m_layers.ground.row(place.y + y) + place.x;
-               forEachInRow(row,
-                            [&](std::int32_t x)
-                            {
-                              slope[x] = Layers::kNone;
-                              ground[x] = grid::isFree(aerial[x]) ? grid::kUnknown : aerial[x];
-                            });
-             });
+  const auto writeRow = [&](std::int32_t y, std::uint32_t row)
+  {
+    if (row == supported[static_cast<std::size_t>(y)]) return;
+    const float* aerial = m_layers.aerial.row(place.y + y) + place.x;
+    float* slope = m_layers.slope.row(place.y + y) + place.x;
+    float* ground = m_layers.ground.row(place.y + y) + place.x;
+    forEachInRow(row,
+                 [&](std::int32_t x)
+                 {
+                   slope[x] = Layers::kNone;
+                   ground[x] = grid::isFree(aerial[x]) ? grid::kUnknown : aerial[x];
+                 });
+  };
+  forEachRow(columns, writeRow);
 }
 
 void GroundPass::writeSupported(const BlockPlace& place, const voxel::ColumnMask& columns,

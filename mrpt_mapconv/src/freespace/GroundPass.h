@@ -25,7 +25,8 @@ class GroundPass
 
  private:
   voxel::ColumnMask withSupport() const;
-  void writeUnsupported(const BlockPlace& place, const voxel::ColumnMask& columns);
+  void writeUnsupported(const BlockPlace& place, const voxel::ColumnMask& columns,
+                        const voxel::ColumnMask& supported);
   void writeSupported(const BlockPlace& place, const voxel::ColumnMask& columns,
                       const voxel::ColumnMask& blocked);
   voxel::ColumnMask stepsOrDrops(voxel::BlockKey block, const voxel::ColumnMask& columns);

@@ -35,7 +35,7 @@ void HeightPass::findRow(std::int32_t y, std::uint32_t columns)
   for (RowValues* heights : {&m_row.floor, &m_row.ceiling, &m_row.support})
     heights->fill(Layers::kNone);
   m_row.evidence.fill(evidence::kNone);
-  forEachInRow(columnsWithOccupied(m_block, y), [&](std::int32_t x)
+  forEachInRow(columnsWithOccupied(m_block, y) & ~m_row.free, [&](std::int32_t x)
                { m_row.evidence[static_cast<std::size_t>(x)] = evidence::kWall; });
   forEachInRow(m_row.free,
                [&](std::int32_t x)
