@@ -92,12 +92,17 @@ inline void writeRow(std::uint32_t row, const float* from, float* to)
   forEachInRow(row, [&](std::int32_t x) { to[x] = from[x]; });
 }
 
-/** The columns of a row whose two values are not the same bits. */
+/** The columns of a row whose two values are not the same bits, which may be those of NaN. */
 inline std::uint32_t differing(std::uint32_t row, const float* a, const float* b)
 {
+  const auto bitsOf = [](float value)
+  {
+    std::uint32_t bits = 0;
+    std::memcpy(&bits, &value, sizeof(bits));
+    return bits;
+  };
   std::uint32_t out = 0;
-  forEachInRow(
-      row, [&](std::int32_t x) { out |= bitIf(std::memcmp(a + x, b + x, sizeof(float)) != 0, x); });
+  forEachInRow(row, [&](std::int32_t x) { out |= bitIf(bitsOf(a[x]) != bitsOf(b[x]), x); });
   return out;
 }
 
