@@ -2,7 +2,7 @@
 // tree in this process, with the same compiler flags. Each figure is the best of seven, ours and
 // the baseline measured in turn. Updates are measured one after another, since an update follows
 // the insertion of a scan, which has just been in the same part of the tree; "cold" ones follow a
-// full conversion.
+// full conversion, and "changed" ones also find other floors there (the others find all as it was).
 //
 //   bench_conversion [--benchmark_filter=outdoor|geb079|small]
 #include <benchmark/benchmark.h>
@@ -196,6 +196,49 @@ void updatePart(benchmark::State& state, const Subject& map, bool inOneSquare, b
   state.counters["columns"] = static_cast<double>(changed.size());
 }
 
+/** A copy of a map in which the ground of some columns lies one voxel lower. */
+std::unique_ptr<octomap::OcTree> withLowerGround(const octomap::OcTree& tree,
+                                                 const grid::Layer<float>& floor,
+                                                 const voxel::ColumnSet& columns)
+{
+  auto lower = std::make_unique<octomap::OcTree>(tree);
+  const double resolution = tree.getResolution();
+  columns.forEach(
+      [&](std::int32_t kx, std::int32_t ky)
+      {
+        const float height = floor.at(kx - floor.frame().x0, ky - floor.frame().y0);
+        if (std::isnan(height)) return;
+        const double x = (kx + 0.5) * resolution, y = (ky + 0.5) * resolution;
+        lower->setNodeValue(x, y, height - 0.5 * resolution, tree.getClampingThresMinLog(), true);
+        lower->setNodeValue(x, y, height - 1.5 * resolution, tree.getClampingThresMaxLog(), true);
+      });
+  lower->updateInnerOccupancy();
+  return lower;
+}
+
+/** Updates of which each finds other floors, and other cells to infer the ground of, than the one
+ * before. */
+void updateChangedPart(benchmark::State& state, const Subject& map, bool inOneSquare)
+{
+  const auto params = seenParams();
+  freespace::IncrementalLayers layers(params, 1);
+  layers.rebuild(map.source);
+  const auto frame = layers.layers().frame();
+  const auto changed = inOneSquare ? centredSquare(frame, 0.01) : scattered(frame, 0.01);
+  const Subject other(withLowerGround(*map.tree, layers.layers().floor, changed));
+  bool toOther = false;
+  compare(
+      state,
+      [&]
+      {
+        toOther = !toOther;
+        layers.update(toOther ? other.source : map.source, changed);
+      },
+      [&] { benchmark::DoNotOptimize(freespace::convert(map.source, params, 1)); },
+      "ratio_to_full");
+  state.counters["columns"] = static_cast<double>(changed.size());
+}
+
 void memoryOf(benchmark::State& state, const voxel::VoxelSource& source, int threads)
 {
   double extra = 0, layersSize = 0;
@@ -279,6 +322,10 @@ void registerAll(const std::string& map)
       [](auto& state, auto& m) { updatePart(state, m, true, false, seenParams()); });
   add("update_1_percent_seen/scattered",
       [](auto& state, auto& m) { updatePart(state, m, false, false, seenParams()); });
+  add("update_1_percent_seen/square_changed",
+      [](auto& state, auto& m) { updateChangedPart(state, m, true); });
+  add("update_1_percent_seen/scattered_changed",
+      [](auto& state, auto& m) { updateChangedPart(state, m, false); });
   const auto addMemory = [&](const std::string& what, int threads)
   {
     benchmark::RegisterBenchmark((map + "/" + what).c_str(), [=](benchmark::State& state)

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "ColumnMasks.h"
+
 namespace mrpt_mapconv::freespace
 {
 using voxel::kBlockColumns;
@@ -26,6 +28,47 @@ void andShifted(std::uint64_t* plane, std::int32_t count, std::int32_t words, st
       for (std::int32_t c = 0; c < count; ++c) to[c] &= low[c] >> down;
     else
       for (std::int32_t c = 0; c < count; ++c) to[c] &= (low[c] >> down) | (high[c] << (64 - down));
+  }
+}
+
+/** The columns of a block's row with any bit in the words of a plane. */
+std::uint32_t columnsWithBits(const std::uint64_t* plane, std::int32_t words, std::int32_t y)
+{
+  if (words == 0) return 0;
+  std::array<std::uint32_t, voxel::kBlockSide> any;  // bits of any word, its halves on each other
+  const std::uint64_t* row = plane + y * voxel::kBlockSide;
+  const auto folded = [&](std::size_t x)
+  { return static_cast<std::uint32_t>(row[x]) | static_cast<std::uint32_t>(row[x] >> 32); };
+  for (std::size_t x = 0; x < any.size(); ++x) any[x] = folded(x);
+  for (std::int32_t w = 1; w < words; ++w)
+  {
+    row += kBlockColumns;
+    for (std::size_t x = 0; x < any.size(); ++x) any[x] |= folded(x);
+  }
+  return rowWhere([&](std::int32_t x) { return any[static_cast<std::size_t>(x)] != 0; });
+}
+
+void appendRunsOf(const voxel::ColumnBlock& block, std::int32_t column,
+                  std::vector<OccupiedRun>& runs)
+{
+  const std::uint64_t* plane = block.occupiedPlane() + column;
+  const std::size_t before = runs.size();
+  for (std::int32_t w = 0; w < block.words(); ++w)
+  {
+    std::uint64_t word = plane[w * kBlockColumns];
+    const std::int32_t zWord = block.zMin() + 64 * w;
+    while (word)
+    {
+      const int begin = __builtin_ctzll(word);
+      const std::uint64_t free = ~(word >> begin);
+      const int length = free ? std::min(__builtin_ctzll(free), 64 - begin) : 64 - begin;
+      if (runs.size() > before && runs.back().end == zWord + begin)
+        runs.back().end += length;  // goes on from the word below
+      else
+        runs.push_back({column, zWord + begin, zWord + begin + length});
+      if (begin + length == 64) break;
+      word &= ~std::uint64_t{0} << (begin + length);
+    }
   }
 }
 }  // namespace
@@ -53,54 +96,22 @@ void FreeSpanFinder::start(const voxel::ColumnBlock& block)
   }
 }
 
-FreeSpan FreeSpanFinder::span(std::int32_t column) const
+std::uint32_t FreeSpanFinder::columnsWithSpan(std::int32_t y) const
 {
-  const std::uint64_t* words = m_starts.data() + column;
-  std::int32_t first = 0, last = m_words - 1;
-  while (first < m_words && !words[first * kBlockColumns]) ++first;
-  if (first == m_words) return {};
-  while (!words[last * kBlockColumns]) --last;
-  const std::int32_t lowest = 64 * first + __builtin_ctzll(words[first * kBlockColumns]);
-  const std::int32_t highest = 64 * last + 63 - __builtin_clzll(words[last * kBlockColumns]);
-  return {m_zMin + lowest, m_zMin + highest + m_minRun};
+  return columnsWithBits(m_starts.data(), m_words, y);
 }
 
-bool isOccupied(const voxel::ColumnBlock& block, std::int32_t column, std::int32_t z)
+std::uint32_t columnsWithOccupied(const voxel::ColumnBlock& block, std::int32_t y)
 {
-  const std::int32_t bit = z - block.zMin();
-  if (bit < 0 || bit >= 64 * block.words()) return false;
-  return block.occupiedPlane()[column + bit / 64 * kBlockColumns] >> (bit % 64) & 1U;
+  return columnsWithBits(block.occupiedPlane(), block.words(), y);
 }
 
-bool hasOccupied(const voxel::ColumnBlock& block, std::int32_t column)
-{
-  for (std::int32_t w = 0; w < block.words(); ++w)
-    if (block.occupiedPlane()[column + w * kBlockColumns]) return true;
-  return false;
-}
-
-void appendOccupiedRuns(const voxel::ColumnBlock& block, std::int32_t column,
+void appendOccupiedRuns(const voxel::ColumnBlock& block, const voxel::ColumnMask& columns,
                         std::vector<OccupiedRun>& runs)
 {
-  const std::uint64_t* plane = block.occupiedPlane() + column;
-  const std::size_t before = runs.size();
-  for (std::int32_t w = 0; w < block.words(); ++w)
-  {
-    std::uint64_t word = plane[w * kBlockColumns];
-    const std::int32_t zWord = block.zMin() + 64 * w;
-    while (word)
-    {
-      const int begin = __builtin_ctzll(word);
-      const std::uint64_t free = ~(word >> begin);
-      const int length = free ? std::min(__builtin_ctzll(free), 64 - begin) : 64 - begin;
-      if (runs.size() > before && runs.back().end == zWord + begin)
-        runs.back().end += length;  // goes on from the word below
-      else
-        runs.push_back({column, zWord + begin, zWord + begin + length});
-      if (begin + length == 64) break;
-      word &= ~std::uint64_t{0} << (begin + length);
-    }
-  }
+  if (block.words() == 0) return;
+  forEachColumn(columns, [&](std::int32_t x, std::int32_t y)
+                { appendRunsOf(block, y * voxel::kBlockSide + x, runs); });
 }
 
 }  // namespace mrpt_mapconv::freespace

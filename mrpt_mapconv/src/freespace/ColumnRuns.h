@@ -11,8 +11,7 @@ namespace mrpt_mapconv::freespace
  * range's bottom face and of the highest kept range's top face. */
 struct FreeSpan
 {
-  std::int32_t floor = 0, ceiling = 0;
-  bool valid() const { return ceiling > floor; }
+  std::int32_t floor, ceiling;
 };
 
 /** Finds the kept free ranges (R_maxZ) of all columns of a block. */
@@ -21,10 +20,22 @@ class FreeSpanFinder
  public:
   /** \param minRun voxels that a free range needs to be kept */
   explicit FreeSpanFinder(std::int32_t minRun) : m_minRun(minRun) {}
-  /** Takes up a block; spans are then asked for column by column. */
+  /** Takes up a block; it is then asked for its rows and columns. */
   void start(const voxel::ColumnBlock& block);
-  /** \param column 32·y + x */
-  FreeSpan span(std::int32_t column) const;
+  /** The columns of row y with a kept range. */
+  std::uint32_t columnsWithSpan(std::int32_t y) const;
+  /** \param column 32·y + x, which has one */
+  FreeSpan span(std::int32_t column) const
+  {
+    const std::uint64_t* words = m_starts.data() + column;
+    std::int32_t first = 0, last = m_words - 1;
+    while (!words[first * voxel::kBlockColumns]) ++first;
+    while (!words[last * voxel::kBlockColumns]) --last;
+    const std::int32_t lowest = 64 * first + __builtin_ctzll(words[first * voxel::kBlockColumns]);
+    const std::int32_t highest =
+        64 * last + 63 - __builtin_clzll(words[last * voxel::kBlockColumns]);
+    return {m_zMin + lowest, m_zMin + highest + m_minRun};
+  }
 
  private:
   std::int32_t m_minRun;
@@ -33,9 +44,14 @@ class FreeSpanFinder
 };
 
 /** Whether a voxel of a column of the block is occupied; one outside the block is not. */
-bool isOccupied(const voxel::ColumnBlock& block, std::int32_t column, std::int32_t z);
-/** Whether any voxel of it is. */
-bool hasOccupied(const voxel::ColumnBlock& block, std::int32_t column);
+inline bool isOccupied(const voxel::ColumnBlock& block, std::int32_t column, std::int32_t z)
+{
+  const std::int32_t bit = z - block.zMin();
+  if (bit < 0 || bit >= 64 * block.words()) return false;
+  return block.occupiedPlane()[column + bit / 64 * voxel::kBlockColumns] >> (bit % 64) & 1U;
+}
+/** The columns of row y of the block with an occupied voxel. */
+std::uint32_t columnsWithOccupied(const voxel::ColumnBlock& block, std::int32_t y);
 
 /** A run of occupied voxels, z keys [begin, end), in column 32·y + x of a block. */
 struct OccupiedRun
@@ -43,8 +59,9 @@ struct OccupiedRun
   std::int32_t column, begin, end;
 };
 
-/** Appends the runs of occupied voxels of one column of the block, from the lowest up. */
-void appendOccupiedRuns(const voxel::ColumnBlock& block, std::int32_t column,
+/** Appends the runs of occupied voxels of some columns of the block, column by column and from the
+ * lowest up. */
+void appendOccupiedRuns(const voxel::ColumnBlock& block, const voxel::ColumnMask& columns,
                         std::vector<OccupiedRun>& runs);
 
 }  // namespace mrpt_mapconv::freespace

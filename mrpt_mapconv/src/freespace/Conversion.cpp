@@ -7,7 +7,9 @@
 #include <utility>
 
 #include "../grid/Parallel.h"
-#include "BlockConversion.h"
+#include "AerialPass.h"
+#include "GroundPass.h"
+#include "HeightPass.h"
 #include "SupportPass.h"
 
 namespace mrpt_mapconv::freespace
@@ -24,6 +26,18 @@ std::optional<grid::GridFrame> knownFrame(const voxel::VoxelSource& source)
   return voxel::frameOf(*box, source.resolution());
 }
 
+/** The blocks of a set from the lowest y up, each row from the lowest x, as cells lie in memory. */
+std::vector<voxel::BlockKey> rowByRow(const voxel::ColumnSet::Blocks& blocks)
+{
+  std::vector<voxel::BlockKey> keys;
+  keys.reserve(blocks.size());
+  for (const auto& [key, mask] : blocks) keys.push_back(key);
+  std::sort(keys.begin(), keys.end(),
+            [](const voxel::BlockKey& a, const voxel::BlockKey& b)
+            { return std::tie(a.y, a.x) < std::tie(b.y, b.x); });
+  return keys;
+}
+
 using Strip = std::vector<BlockJob>;
 
 /** Jobs for the touched blocks in strips of whole rows of blocks, from the lowest y up: what a
@@ -34,13 +48,11 @@ class Strips
   /** \param reach columns that may depend on those in `changed`
    * \param halo cells around a block that its second pass looks at */
   Strips(const voxel::ColumnSet& changed, const voxel::ColumnSet& reach, std::int32_t halo)
-      : m_changed(changed), m_reach(reach), m_leastRows((halo - 1) / voxel::kBlockSide + 1)
+      : m_changed(changed),
+        m_reach(reach),
+        m_leastRows((halo - 1) / voxel::kBlockSide + 1),
+        m_keys(rowByRow(reach.blocks()))
   {
-    m_keys.reserve(reach.blocks().size());
-    for (const auto& [key, mask] : reach.blocks()) m_keys.push_back(key);
-    std::sort(m_keys.begin(), m_keys.end(),
-              [](const voxel::BlockKey& a, const voxel::BlockKey& b)
-              { return std::tie(a.y, a.x) < std::tie(b.y, b.x); });
   }
 
   /** The next strip; empty when there is none left. */
@@ -76,18 +88,27 @@ class Strips
   std::size_t m_next = 0;
 };
 
+/** The columns of which a conversion has found that they are not as they were; none of layers that
+ * were blank. */
+struct Differences
+{
+  voxel::ColumnSet newGround;        //!< floor or evidence
+  voxel::ColumnSet newAerial;        //!< aerial occupancy
+  voxel::ColumnSet::Blocks newSpan;  //!< floor or ceiling, in blocks that are still looked at
+};
+
 /** Brings floor, ceiling, aerial occupancy and evidence up to date with the changed columns, of
  * which full conversion is "all". `reach` holds every column that touches them; `blank` says that
  * the layers are all unknown, otherwise they must be what a conversion left before the change. The
  * second pass of a strip runs once the first pass of the next one has found the floors there.
  * \param withGround whether slope and ground occupancy follow at once, while what they need is at
  * hand; that is possible if supports are floors
- * \return the columns whose floor or evidence differs from before; none if the layers were blank */
-voxel::ColumnSet convertColumns(const voxel::VoxelSource& source, const voxel::ColumnSet& changed,
-                                const voxel::ColumnSet& reach, const ConversionParams& params,
-                                int threads, Layers& layers, bool blank, bool withGround)
+ */
+Differences convertColumns(const voxel::VoxelSource& source, const voxel::ColumnSet& changed,
+                           const voxel::ColumnSet& reach, const ConversionParams& params,
+                           int threads, Layers& layers, bool blank, bool withGround)
 {
-  Differences differences;  // of the strip at hand, the one before and the one after
+  Differences differences;
   const auto findHeights = [&](Strip& strip)
   {
     grid::inParallel(strip.size(), threads,
@@ -96,14 +117,18 @@ voxel::ColumnSet convertColumns(const voxel::VoxelSource& source, const voxel::C
                        HeightPass heights(source, params, layers, blank);
                        for (std::size_t i = begin; i < end; ++i) heights.run(strip[i]);
                      });
-    for (const BlockJob& job : strip) differences.note(job, blank);
+    for (const BlockJob& job : strip)
+    {
+      if (any(job.newGround)) differences.newGround.insert(job.key, job.newGround);
+      if (any(job.newSpan)) differences.newSpan.emplace(job.key, job.newSpan);
+    }
   };
   const auto findAerial = [&](Strip& strip)
   {
     grid::inParallel(strip.size(), threads,
                      [&](std::size_t begin, std::size_t end)
                      {
-                       AerialPass aerial(source, params, differences, layers);
+                       AerialPass aerial(source, params, differences.newSpan, layers, blank);
                        std::optional<GroundPass> ground;
                        if (withGround) ground.emplace(params, layers);
                        for (std::size_t i = begin; i < end; ++i)
@@ -112,6 +137,8 @@ voxel::ColumnSet convertColumns(const voxel::VoxelSource& source, const voxel::C
                          if (ground) ground->run(strip[i].key, strip[i].changed);
                        }
                      });
+    for (const BlockJob& job : strip)
+      if (any(job.newAerial)) differences.newAerial.insert(job.key, job.newAerial);
   };
   Strips strips(changed, reach, withGround ? GroundPass(params, layers).reach() : 1);
   Strip before, strip = strips.next();
@@ -121,25 +148,24 @@ voxel::ColumnSet convertColumns(const voxel::VoxelSource& source, const voxel::C
     Strip next = strips.next();
     findHeights(next);
     findAerial(strip);
-    for (const BlockJob& job : before) differences.forget(job.key);
+    for (const BlockJob& job : before) differences.newSpan.erase(job.key);
     before = std::move(strip);
     strip = std::move(next);
   }
-  return std::move(differences.newFloor);
+  return differences;
 }
 
 /** Slope and ground occupancy of columns. */
 void findGround(const voxel::ColumnSet& columns, const ConversionParams& params, int threads,
                 Layers& layers)
 {
-  const std::vector<std::pair<voxel::BlockKey, voxel::ColumnMask>> blocks(columns.blocks().begin(),
-                                                                          columns.blocks().end());
+  const std::vector<voxel::BlockKey> blocks = rowByRow(columns.blocks());
   grid::inParallel(blocks.size(), threads,
                    [&](std::size_t begin, std::size_t end)
                    {
                      GroundPass ground(params, layers);
                      for (std::size_t i = begin; i < end; ++i)
-                       ground.run(blocks[i].first, blocks[i].second);
+                       ground.run(blocks[i], columns.blocks().at(blocks[i]));
                    });
 }
 
@@ -258,12 +284,15 @@ voxel::ColumnSet IncrementalLayers::follow(const voxel::VoxelSource& source,
 {
   const grid::GridFrame& frame = m_layers.frame();
   auto columns = changed.dilated(1).clipped(frame);
-  auto newGround =
+  Differences found =
       convertColumns(source, changed, columns, m_params, m_threads, m_layers, false, false);
+  voxel::ColumnSet& newGround = found.newGround;
   if (m_params.floorFrom == FloorFrom::Seen && !newGround.empty())
     newGround = SupportPass(m_params, m_layers).findAround(newGround);
-  columns.insert(newGround.dilated(GroundPass(m_params, m_layers).reach()).clipped(frame));
-  findGround(columns, m_params, m_threads, m_layers);
+  voxel::ColumnSet ground = std::move(found.newAerial);
+  ground.insert(newGround.dilated(GroundPass(m_params, m_layers).reach()).clipped(frame));
+  findGround(ground, m_params, m_threads, m_layers);
+  columns.insert(ground);
   m_unfinished = false;
   return columns;
 }

@@ -26,7 +26,12 @@ void FloorTile::load(const grid::Layer<float>& heights, voxel::BlockKey block)
     const float* from = heights.row(ky - frame.y0) + (xBegin - frame.x0);
     to += xBegin - xTile;
     for (std::int32_t i = 0; i < xEnd - xBegin; ++i)
-      to[i] = from[i] == from[i] ? heightKey(from[i], inverse) : kNoFloor;
+    {
+      // a number in any case: only then the compiler may convert cells as a vector
+      const bool has = from[i] == from[i];
+      const std::int32_t key = heightKey(has ? from[i] : 0.0f, inverse);
+      to[i] = has ? key : kNoFloor;
+    }
   }
 }
 

@@ -89,10 +89,14 @@ void SupportPass::findAll(int threads)
                      sweep({0, yFrom, frame.width, yTo - yFrom}, offers);
                    });
   // Only now: a sweep reads the evidence of rows that belong to another one.
-  auto& known = m_layers.evidence.cells();
-  for (std::size_t cell = 0; cell < known.size(); ++cell)
-    if (known[cell] == evidence::kOpen && !std::isnan(m_layers.support.cells()[cell]))
-      known[cell] = evidence::kInferred;
+  float* known = m_layers.evidence.cells().data();
+  const float* support = m_layers.support.cells().data();
+  const std::size_t cells = m_layers.evidence.cells().size();
+  for (std::size_t cell = 0; cell < cells; ++cell)
+  {
+    const bool inferred = (known[cell] == evidence::kOpen) & (support[cell] == support[cell]);
+    known[cell] = inferred ? evidence::kInferred : known[cell];
+  }
 }
 
 /** Goes through the cells row by row. Each seen cell ends a segment on every axis on which there
