@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "DenseMap.h"
@@ -37,8 +38,9 @@ struct Cell
   long double slope = 0;      //!< [m/m]
   bool slopeTooHigh = false;  //!< slope > maxSlope
   bool slopeTie = false;      //!< so close to maxSlope that rounding in double may decide otherwise
-  bool isStep = false;        //!< maxStep is on and the floor differs by more from a neighbour's
-  bool isDrop = false;        //!< likewise, and it goes down beside it
+  std::optional<int> occupiedTopUnderFloor;  //!< z key of the top face of the highest one
+  bool isStep = false;  //!< maxStep is on and the floor differs by more from a neighbour's
+  bool isDrop = false;  //!< likewise, and it goes down beside it
 
   double aerial = -1, ground = -1;  //!< 0 free, (0, 1] occupied, -1 unknown
 };

@@ -90,7 +90,7 @@ std::optional<Line> lineThrough(const DenseResult& cells, int ix, int iy, Step s
               cells.at(ix + forth * step.dx, iy + forth * step.dy).floorKey};
 }
 
-/** What the clauses (a) to (d) are asked with. */
+/** What the clauses (a) to (e) are asked with. */
 struct Rules
 {
   double resolution;
@@ -114,8 +114,8 @@ bool counts(const DenseResult& cells, const Line& line, int t, const Rules& rule
 {
   const Length one = line.gap;  // a voxel in the line's parts
   const Length height = line.at(t);
-  const Length floor =
-      cells.at(line.x + t * line.step.dx, line.y + t * line.step.dy).floorKey * one;
+  const Cell& here = cells.at(line.x + t * line.step.dx, line.y + t * line.step.dy);
+  const Length floor = here.floorKey * one;
   const auto gapWithin = [&](double metres)
   { return within(line.gap, line.step, metres, rules.resolution); };
   const bool shortGap = gapWithin(rules.params.maxHiddenGap);
@@ -125,7 +125,9 @@ bool counts(const DenseResult& cells, const Line& line, int t, const Rules& rule
   const bool nothingHides = floor <= height + rules.h * one;
   const bool c = nothingHides ? gapWithin(rules.params.maxGap) : shortGap;
   const bool d = !leadsOverADeepCell(cells, line);
-  return a && b && c && d;
+  const std::optional<int>& top = here.occupiedTopUnderFloor;
+  const bool e = !top || *top * one <= height + rules.h * one;
+  return a && b && c && d && e;
 }
 
 void setSupport(double resolution, std::int64_t support64, Cell& cell)
@@ -234,6 +236,8 @@ void markEvidence(const DenseMap& map, DenseResult& result)
       for (int iz = 0; iz < map.nz; ++iz)
         anyOccupied = anyOccupied || map.at(ix, iy, iz) == Voxel::Occupied;
       const int under = cell.floorKey - 1 - map.z0;
+      for (int iz = 0; cell.free && iz <= under; ++iz)
+        if (map.at(ix, iy, iz) == Voxel::Occupied) cell.occupiedTopUnderFloor = map.z0 + iz + 1;
       const bool seen = cell.free && under >= 0 && map.at(ix, iy, under) == Voxel::Occupied;
       cell.evidence = seen          ? Evidence::Seen
                       : cell.free   ? Evidence::Open

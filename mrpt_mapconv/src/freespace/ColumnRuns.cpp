@@ -101,6 +101,20 @@ std::uint32_t FreeSpanFinder::columnsWithSpan(std::int32_t y) const
   return columnsWithBits(m_starts.data(), m_words, y);
 }
 
+std::optional<std::int32_t> occupiedTopBelow(const voxel::ColumnBlock& block, std::int32_t column,
+                                             std::int32_t z)
+{
+  const std::uint64_t* plane = block.occupiedPlane() + column;
+  const std::int32_t bits = std::min(z - block.zMin(), 64 * block.words());
+  for (std::int32_t w = (bits + 63) / 64 - 1; w >= 0; --w)
+  {
+    const std::int32_t inWord = std::min(bits - 64 * w, 64);
+    const std::uint64_t word = plane[w * kBlockColumns] & (~std::uint64_t{0} >> (64 - inWord));
+    if (word) return block.zMin() + 64 * w + 64 - __builtin_clzll(word);
+  }
+  return std::nullopt;
+}
+
 std::uint32_t columnsWithOccupied(const voxel::ColumnBlock& block, std::int32_t y)
 {
   return columnsWithBits(block.occupiedPlane(), block.words(), y);

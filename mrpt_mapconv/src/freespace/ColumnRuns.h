@@ -3,6 +3,7 @@
 #include <mrpt_mapconv/voxel/ColumnBlock.h>
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace mrpt_mapconv::freespace
@@ -50,6 +51,9 @@ inline bool isOccupied(const voxel::ColumnBlock& block, std::int32_t column, std
   if (bit < 0 || bit >= 64 * block.words()) return false;
   return block.occupiedPlane()[column + bit / 64 * voxel::kBlockColumns] >> (bit % 64) & 1U;
 }
+/** z key of the top face of a column's highest occupied voxel below z. */
+std::optional<std::int32_t> occupiedTopBelow(const voxel::ColumnBlock& block, std::int32_t column,
+                                             std::int32_t z);
 /** The columns of row y of the block with an occupied voxel. */
 std::uint32_t columnsWithOccupied(const voxel::ColumnBlock& block, std::int32_t y);
 

@@ -106,7 +106,8 @@ struct Differences
  */
 Differences convertColumns(const voxel::VoxelSource& source, const voxel::ColumnSet& changed,
                            const voxel::ColumnSet& reach, const ConversionParams& params,
-                           int threads, Layers& layers, bool blank, bool withGround)
+                           int threads, Layers& layers, HiddenTops& hidden, bool blank,
+                           bool withGround)
 {
   Differences differences;
   const auto findHeights = [&](Strip& strip)
@@ -114,11 +115,12 @@ Differences convertColumns(const voxel::VoxelSource& source, const voxel::Column
     grid::inParallel(strip.size(), threads,
                      [&](std::size_t begin, std::size_t end)
                      {
-                       HeightPass heights(source, params, layers, blank);
+                       HeightPass heights(source, params, hidden, layers, blank);
                        for (std::size_t i = begin; i < end; ++i) heights.run(strip[i]);
                      });
     for (const BlockJob& job : strip)
     {
+      hidden.replace(job.key, job.changed, job.hidden);
       if (any(job.newGround)) differences.newGround.insert(job.key, job.newGround);
       if (any(job.newSpan)) differences.newSpan.emplace(job.key, job.newSpan);
     }
@@ -169,15 +171,17 @@ void findGround(const voxel::ColumnSet& columns, const ConversionParams& params,
                    });
 }
 
+/** \param hidden gets the tops under the floors, if they are needed */
 Layers convertOn(const grid::GridFrame& frame, const voxel::VoxelSource& source,
-                 const ConversionParams& params, int threads)
+                 const ConversionParams& params, int threads, HiddenTops& hidden)
 {
   Layers layers(frame);
+  hidden = {};
   const auto all = voxel::ColumnSet::of(frame);
   const bool floorsSuffice = params.floorFrom == FloorFrom::LowestFree;
-  convertColumns(source, all, all, params, threads, layers, true, floorsSuffice);
+  convertColumns(source, all, all, params, threads, layers, hidden, true, floorsSuffice);
   if (floorsSuffice) return layers;
-  SupportPass(params, layers).findAll(threads);
+  SupportPass(params, hidden, layers).findAll(threads);
   findGround(all, params, threads, layers);
   return layers;
 }
@@ -221,7 +225,9 @@ grid::GridFrame frameOf(const voxel::VoxelSource& source)
 Layers convert(const voxel::VoxelSource& source, const ConversionParams& params, int threads)
 {
   params.check();
-  return convertOn(frameOf(source), voxel::FilledSource(source, params.reading), params, threads);
+  HiddenTops hidden;
+  return convertOn(frameOf(source), voxel::FilledSource(source, params.reading), params, threads,
+                   hidden);
 }
 
 IncrementalLayers::IncrementalLayers(const ConversionParams& params, int threads)
@@ -253,7 +259,7 @@ void IncrementalLayers::rebuildFilled(const voxel::FilledSource& source,
                                       const grid::GridFrame& frame)
 {
   checkFrameSize(frame);
-  m_layers = convertOn(frame, source, m_params, m_threads);
+  m_layers = convertOn(frame, source, m_params, m_threads, m_hidden);
   m_unfinished = false;
   m_freeUpTo = source.freeUpTo();
 }
@@ -284,11 +290,11 @@ voxel::ColumnSet IncrementalLayers::follow(const voxel::VoxelSource& source,
 {
   const grid::GridFrame& frame = m_layers.frame();
   auto columns = changed.dilated(1).clipped(frame);
-  Differences found =
-      convertColumns(source, changed, columns, m_params, m_threads, m_layers, false, false);
+  Differences found = convertColumns(source, changed, columns, m_params, m_threads, m_layers,
+                                     m_hidden, false, false);
   voxel::ColumnSet& newGround = found.newGround;
   if (m_params.floorFrom == FloorFrom::Seen && !newGround.empty())
-    newGround = SupportPass(m_params, m_layers).findAround(newGround);
+    newGround = SupportPass(m_params, m_hidden, m_layers).findAround(newGround);
   voxel::ColumnSet ground = std::move(found.newAerial);
   ground.insert(newGround.dilated(GroundPass(m_params, m_layers).reach()).clipped(frame));
   findGround(ground, m_params, m_threads, m_layers);
@@ -300,6 +306,7 @@ voxel::ColumnSet IncrementalLayers::follow(const voxel::VoxelSource& source,
 void IncrementalLayers::clear()
 {
   m_layers = Layers();
+  m_hidden = {};
   m_unfinished = false;
   m_freeUpTo.reset();
 }

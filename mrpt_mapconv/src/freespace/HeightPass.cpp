@@ -7,8 +7,9 @@ namespace mrpt_mapconv::freespace
 using voxel::kBlockSide;
 
 HeightPass::HeightPass(const voxel::VoxelSource& source, const ConversionParams& params,
-                       Layers& layers, bool blank)
+                       const HiddenTops& hidden, Layers& layers, bool blank)
     : m_source(source),
+      m_hidden(hidden),
       m_layers(layers),
       m_blank(blank),
       m_supportIsFloor(params.floorFrom == FloorFrom::LowestFree),
@@ -19,6 +20,7 @@ HeightPass::HeightPass(const voxel::VoxelSource& source, const ConversionParams&
 void HeightPass::run(BlockJob& job)
 {
   if (!any(job.changed)) return;
+  job.hidden.clear();
   m_block.start(job.key, job.changed);
   m_source.read(m_block);
   m_spans.start(m_block);
@@ -51,9 +53,26 @@ void HeightPass::findRow(std::int32_t y, std::uint32_t columns)
                });
 }
 
+/** Finds what is hidden under the floors of a row.
+ * \return the columns where that differs from before */
+std::uint32_t HeightPass::findHidden(std::int32_t y, BlockJob& job) const
+{
+  std::uint32_t different = 0;
+  forEachInRow(m_row.free,
+               [&](std::int32_t x)
+               {
+                 if (m_row.evidence[static_cast<std::size_t>(x)] != evidence::kOpen) return;
+                 const std::int32_t column = y * kBlockSide + x;
+                 const auto top = occupiedTopBelow(m_block, column, m_spans.span(column).floor);
+                 if (top) job.hidden.push_back({column, *top});
+                 if (!m_blank) different |= bitIf(top != m_hidden.at(job.key, column), x);
+               });
+  return different;
+}
+
 /** Writes heights and evidence of the changed columns, and support where the ground itself was
- * seen. Where floor and evidence are as before, both stay, inferred or not. Returns the columns
- * with a kept free range. */
+ * seen. Where floor, evidence and hidden top are as before, all stay, inferred or not. Returns the
+ * columns with a kept free range. */
 voxel::ColumnMask HeightPass::writeHeights(BlockJob& job)
 {
   const BlockPlace place(job.key, m_layers.frame());
@@ -66,11 +85,12 @@ voxel::ColumnMask HeightPass::writeHeights(BlockJob& job)
     float *support = cells(m_layers.support), *known = cells(m_layers.evidence);
     findRow(y, row);
     free[at] = m_row.free;
+    const std::uint32_t newHidden = m_supportIsFloor ? 0 : findHidden(y, job);
     std::uint32_t newGround = row;
     if (!m_blank)  // to look at what blank layers hold would mean to wait for memory
     {
       const std::uint32_t newFloor = differing(row, m_row.floor.data(), floor);
-      newGround = newFloor;
+      newGround = newFloor | newHidden;
       forEachInRow(row & ~newFloor,
                    [&](std::int32_t x)
                    {

@@ -15,9 +15,10 @@ namespace mrpt_mapconv::freespace
 class HeightPass
 {
  public:
-  /** \param blank whether the layers hold nothing yet: all unknown */
-  HeightPass(const voxel::VoxelSource& source, const ConversionParams& params, Layers& layers,
-             bool blank);
+  /** \param hidden tops under the floors that the layers hold
+   * \param blank whether the layers hold nothing yet: all unknown */
+  HeightPass(const voxel::VoxelSource& source, const ConversionParams& params,
+             const HiddenTops& hidden, Layers& layers, bool blank);
   void run(BlockJob& job);
 
  private:
@@ -29,10 +30,12 @@ class HeightPass
   };
 
   void findRow(std::int32_t y, std::uint32_t columns);
+  std::uint32_t findHidden(std::int32_t y, BlockJob& job) const;
   voxel::ColumnMask writeHeights(BlockJob& job);
   void collectWalls(BlockJob& job, const voxel::ColumnMask& free);
 
   const voxel::VoxelSource& m_source;
+  const HiddenTops& m_hidden;
   Layers& m_layers;
   bool m_blank, m_supportIsFloor;
   voxel::ColumnBlock m_block;

@@ -58,8 +58,8 @@ SupportRules::SupportRules(const ConversionParams& params, double resolution)
   reach = static_cast<std::int32_t>(std::sqrt(static_cast<double>(maxGapSq)) + 1e-9);
 }
 
-SupportPass::SupportPass(const ConversionParams& params, Layers& layers)
-    : m_layers(layers), m_rules(params, layers.frame().resolution)
+SupportPass::SupportPass(const ConversionParams& params, const HiddenTops& hidden, Layers& layers)
+    : m_hidden(hidden), m_layers(layers), m_rules(params, layers.frame().resolution)
 {
 }
 
@@ -137,6 +137,15 @@ void SupportPass::sweep(const Window& window, Offers& offers) const
   }
 }
 
+/** Not (e): something stands on cell k, known though it is under the floor. */
+bool SupportPass::isBlocked(const SupportLine& line, std::int32_t k, std::int32_t floor) const
+{
+  if (m_rules.isStepAtMost(line, k, floor)) return false;
+  const grid::GridFrame& frame = m_layers.frame();
+  const auto top = m_hidden.at(frame.x0 + line.x + k * line.dx, frame.y0 + line.y + k * line.dy);
+  return top && !m_rules.isStepAtMost(line, k, *top);
+}
+
 /** Gives a line to the open cells on it that it supports better than the lines before: the shorter
  * gap, then the lower line. */
 void SupportPass::offer(const SupportLine& line, Offers& offers) const
@@ -164,6 +173,7 @@ void SupportPass::offer(const SupportLine& line, Offers& offers) const
         if (!offers.window.contains(x, y) || !m_rules.supports(line, k, floor)) return true;
         const std::size_t cell = offers.window.index(x, y);
         if (!offers.wanted.empty() && !offers.wanted[cell]) return true;
+        if (isBlocked(line, k, floor)) return true;
         const auto support =
             static_cast<float>(line.unitsAt(k) * (frame.resolution / kSupportUnits));
         float& best = m_layers.support.at(x, y);

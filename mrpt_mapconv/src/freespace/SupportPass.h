@@ -1,6 +1,7 @@
 #pragma once
 
 #include <mrpt_mapconv/freespace/ConversionParams.h>
+#include <mrpt_mapconv/freespace/HiddenTops.h>
 #include <mrpt_mapconv/freespace/Layers.h>
 #include <mrpt_mapconv/voxel/ColumnSet.h>
 
@@ -16,11 +17,12 @@ namespace mrpt_mapconv::freespace
  * On each of four axes an open cell lies between the nearest seen cells on either side, if no wall
  * is between. All open cells of such a segment share its line, so a sweep over the rows, which
  * remembers the last seen cell of every row, column and diagonal, meets each segment once: at its
- * upper end. It looks at heights and evidence only, never at voxels. */
+ * upper end. It looks at heights, evidence and hidden tops only, never at voxels. */
 class SupportPass
 {
  public:
-  SupportPass(const ConversionParams& params, Layers& layers);
+  /** \param hidden tops under the floors of the layers' open cells */
+  SupportPass(const ConversionParams& params, const HiddenTops& hidden, Layers& layers);
 
   /** Finds the support of all open cells. The layers hold the seen cells' already, and no open
    * cell's. */
@@ -54,6 +56,9 @@ class SupportPass
   void offer(const SupportLine& line, Offers& offers) const;
   void markAround(std::int32_t ix, std::int32_t iy, Offers& offers) const;
 
+  bool isBlocked(const SupportLine& line, std::int32_t k, std::int32_t floor) const;
+
+  const HiddenTops& m_hidden;
   Layers& m_layers;
   SupportRules m_rules;
 };

@@ -31,7 +31,7 @@ struct SupportLine
 };
 
 /** When a line between seen cells says where the ground of an open cell lies: the clauses (a) to
- * (d) of ConversionParams::maxGap, in whole numbers. */
+ * (e) of ConversionParams::maxGap, in whole numbers. */
 struct SupportRules
 {
   std::int32_t step;         //!< h: the highest difference that is no step [voxels]
@@ -59,7 +59,13 @@ struct SupportRules
     const std::int64_t height = line.timesN(k), n = line.n;
     const bool isShort = line.gapSq() <= maxHiddenSq;
     return height <= (floor + (isShort ? hiddenSlack : 1)) * n &&
-           (isShort || floor * n <= height + step * n);
+           (isShort || isStepAtMost(line, k, floor));
+  }
+  /** Whether what stands up to this height at cell k is no more than a step: (e) for its hidden
+   * top, and always so if it holds for the floor. */
+  bool isStepAtMost(const SupportLine& line, std::int32_t k, std::int64_t top) const
+  {
+    return top * line.n <= line.timesN(k) + std::int64_t{step} * line.n;
   }
 };
 

@@ -26,7 +26,7 @@ class Convert : public ::testing::Test
   {
     s_dir = std::make_unique<TempDir>();
     HandMap::write(s_dir->path("hand.bt"));
-    s_outcome = mapconv({"convert", s_dir->path("hand.bt"), "-o", s_dir->path("out"),
+    s_outcome = mapconv({"convert", s_dir->path("hand.bt"), "-o", s_dir->path("out"), "--paper",
                          "--slope-window", "1", "--json"});
   }
   static void TearDownTestSuite() { s_dir.reset(); }
@@ -193,7 +193,8 @@ TEST_F(Convert, sceneHoldsFloorOccupancyAndGrid)
 TEST_F(Convert, summaryIsForPeople)
 {
   const TempDir dir;
-  const auto run = mapconv({"convert", input(), "-o", dir.path("out"), "--slope-window", "1"});
+  const auto run =
+      mapconv({"convert", input(), "-o", dir.path("out"), "--paper", "--slope-window", "1"});
   ASSERT_EQ(0, run.status) << run.err;
   for (const char* part : {"15 (5 x 3)", "2.50 x 1.50 m", "10 free", "2 occupied", "3 unknown",
                            "1 of the free cells", "minStep", "2.00 m", "load", "convert", "write"})

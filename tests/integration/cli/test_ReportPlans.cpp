@@ -84,7 +84,7 @@ TEST_F(ReportPlans, CasoplonIsCrossedOnTheLevel)
 TEST_F(ReportPlans, AFenceThatTheSlopeTestMissesIsNoWay)
 {
   if (!std::filesystem::exists(kShared + "reports")) GTEST_SKIP();
-  ASSERT_EQ(0, convert(kShared + "reports/fence09.bt").status);
+  ASSERT_EQ(0, convert(kShared + "reports/fence09.bt", {"--paper"}).status);
   expectWords(plan("ground", "-3,0", "3,0", "0.3"),
               {"no path", "at (0.0", "from 0.00 m to 0.90 m",
                "; for a robot that climbs 0.9 m: a map converted with --max-step 0.9\n"});
@@ -224,7 +224,7 @@ TEST_F(ReportPlans, TheSummaryNamesTheLowestStepAndTheLowestThinWall)
   const Outcome json = convert(m_dir.path("floors.bt"));
   EXPECT_NEAR(2.0 / 3, parseJson(json.out)["minStep"].number, 1e-9);
   EXPECT_NEAR(1.0, parseJson(json.out)["minThinWall"].number, 1e-9);
-  const Outcome text = mapconv({"convert", m_dir.path("floors.bt"), "-o", map()});
+  const Outcome text = mapconv({"convert", m_dir.path("floors.bt"), "-o", map(), "--paper"});
   for (const char* words : {"minStep      0.67 m", "minThinWall  1.00 m"})
     EXPECT_TRUE(contains(text.out, words)) << text.out;
   EXPECT_TRUE(contains(text.err, "minThinWall = 1.00 m")) << text.err;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <mrpt_mapconv/freespace/ConversionParams.h>
+#include <mrpt_mapconv/freespace/HiddenTops.h>
 #include <mrpt_mapconv/freespace/Layers.h>
 #include <mrpt_mapconv/voxel/ColumnSet.h>
 #include <mrpt_mapconv/voxel/VoxelSource.h>
@@ -78,6 +79,7 @@ class IncrementalLayers
   ConversionParams m_params;
   int m_threads;
   Layers m_layers;
+  HiddenTops m_hidden;                     //!< under the floors of m_layers, with floorFrom = seen
   std::optional<std::int32_t> m_freeUpTo;  //!< that m_layers were made with
   bool m_unfinished = false;  //!< an update was broken off: the layers hold some of a change
 };

@@ -39,16 +39,16 @@ struct ConversionParams
   std::optional<double> maxStep = {};
   voxel::ReadingParams reading = {};      //!< how the voxel map is read
   FloorFrom floorFrom = FloorFrom::Seen;  //!< what slopes, steps and Layers::support are of
-  /** Longest gap between two seen cells over which the ground between them is inferred [m], with
-   * `floorFrom = seen`. Let h be maxStepVoxels().
-   * Of an open cell (see evidence::kOpen) the nearest seen cells on either side are taken, on each
-   * of four axes, with no wall between. The straight line between their supports counts if (a)
-   * these differ by at most h; (b) at the cell it is at most one voxel above the cell's floor, or
-   * max(h, one voxel) where the gap is at most maxHiddenGap; (c) the gap, between the centres of
-   * the seen cells, is at most maxGap where floor ≤ line + h, since nothing higher than a step can
-   * hide under free space that low, else at most maxHiddenGap; (d) no open cell between has a floor
-   * more than two voxels below the line. Of several lines that over the smallest gap counts, then
-   * the lower one, rounded to 1/64 voxel, halves up. */
+  /** Longest gap between two seen cells over which the ground is inferred [m], with `floorFrom =
+   * seen`. Let h be maxStepVoxels(). Of an open cell (see evidence::kOpen) the nearest seen cells
+   * on either side are taken, on each of four axes, no wall between. The line between their
+   * supports counts if (a) these differ by at most h; (b) at the cell it is at most one voxel above
+   * the cell's floor, or max(h, one voxel) where the gap is at most maxHiddenGap; (c) the gap, from
+   * centre to centre, is at most maxGap where floor ≤ line + h, since nothing higher than a step
+   * can hide under free space that low, else maxHiddenGap; (d) no open cell between has a floor
+   * more than two voxels below the line; (e) nothing that is occupied under the cell's floor has
+   * its top more than h above the line. The smallest gap counts, then the lower line, rounded to
+   * 1/64 voxel, halves up. */
   double maxGap = 6.0;
   double maxHiddenGap = 1.0;  //!< the same where something may hide in the gap [m]
 
