@@ -33,8 +33,10 @@ class GroundEditor
       remake(chance(m_rng, 50) ? box(40, 1) : box(1, 40));
     else if (dice <= 65)
       remake(box(9, 9));
-    else if (dice <= 85)  // what was open is seen, or the other way round
+    else if (dice <= 80)  // what was open is seen, or the other way round
       swapGround(chance(m_rng, 50) ? box(3, 3) : box(25, 2));
+    else if (dice <= 90)
+      hide(box(6, 6));
     else
       raiseFree(box(12, 12));
     return m_changed;
@@ -70,6 +72,19 @@ class GroundEditor
     const int floor = pick(m_rng, 14, 22);
     forEach(box, [&](int ix, int iy)
             { setColumn(m_rng, m_map, ix, iy, kind, floor + pick(m_rng, 0, 1)); });
+  }
+
+  /** Something stands under the floor, or no longer, while the floor stays. */
+  void hide(const Box& box)
+  {
+    const Voxel kind = chance(m_rng, 70) ? Voxel::Occupied : Voxel::Unknown;
+    const int depth = pick(m_rng, 2, 5);
+    forEach(box,
+            [&](int ix, int iy)
+            {
+              const int iz = lowestFree(ix, iy) - depth;
+              if (iz >= 0 && iz + depth < m_map.nz) m_map.at(ix, iy, iz) = kind;
+            });
   }
 
   int lowestFree(int ix, int iy) const

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 #include <mrpt_mapconv/freespace/Conversion.h>
 
+#include <cmath>
+
 #include "EvidencePlan.h"
 
 namespace
@@ -346,6 +348,41 @@ TEST(Evidence, HalvesAreRoundedUp)
     for (int kx = 0; kx <= 128; ++kx)
       EXPECT_EQ(support.at(kx, 0), static_cast<float>(begin + (kx + 1) / 2 / 64.0)) << kx;
   }
+}
+
+// ---- (e) what is known to stand there
+
+/** The support of an open cell between two seen ones on the ground at 0, with occupied voxels
+ * [begin, end) under its floor at 12 voxels. */
+float supportOver(int begin, int end, double maxStep)
+{
+  HandMap map(0.1);
+  for (const int kx : {0, 2}) map.occupied(kx, 0, -1, 0).free(kx, 0, 0, 20);
+  map.free(1, 0, 12, 20);
+  if (begin < end) map.occupied(1, 0, begin, end);
+  return map.convert(seen(0.6, 0.2, maxStep)).support.at(1, 0);
+}
+
+TEST(Evidence, ENothingHigherThanAStepIsKnownToStandThere)
+{
+  EXPECT_EQ(supportOver(0, 0, 0.2), 0) << "nothing";
+  EXPECT_EQ(supportOver(-3, -1, 0.2), 0) << "the ground's own voxels";
+  EXPECT_EQ(supportOver(0, 2, 0.2), 0) << "as high as a step";
+  EXPECT_TRUE(std::isnan(supportOver(0, 3, 0.2)));
+  EXPECT_EQ(supportOver(0, 3, 0.3), 0);
+  EXPECT_TRUE(std::isnan(supportOver(10, 11, 0.2))) << "it hangs over the line";
+  EXPECT_TRUE(std::isnan(supportOver(0, 3, 0))) << "with no steps looked for a step is 0.2 m";
+}
+
+TEST(Evidence, EWhatStandsOnOneCellIsNoWallForOthers)
+{
+  HandMap map(0.1);
+  for (const int kx : {0, 4}) map.occupied(kx, 0, -1, 0).free(kx, 0, 0, 20);
+  map.free(1, 0, 0, 20).free(2, 0, 12, 20).occupied(2, 0, 5, 8).free(3, 0, 0, 20);
+  const auto support = map.convert(seen(0.6, 0.4)).support;
+  EXPECT_EQ(support.at(1, 0), 0);
+  EXPECT_TRUE(std::isnan(support.at(2, 0)));
+  EXPECT_EQ(support.at(3, 0), 0);
 }
 
 }  // namespace

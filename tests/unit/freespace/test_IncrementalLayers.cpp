@@ -78,6 +78,23 @@ TEST(IncrementalLayers, ANewWallIsFollowed)
   EXPECT_TRUE(std::isnan(layers.layers().slope.at(2, 2)));
 }
 
+TEST(IncrementalLayers, WhatStandsUnderAFloorIsFollowed)
+{
+  HandMap map(0.1);
+  for (const int kx : {0, 2}) map.occupied(kx, 0, -1, 0).free(kx, 0, 0, 20);
+  map.free(1, 0, 12, 30);
+  IncrementalLayers layers({}, 1);
+  layers.rebuild(map.source());
+  EXPECT_EQ(layers.layers().support.at(1, 0), 0) << "inferred";
+  map.occupied(1, 0, 5, 6);  // the floor stays
+  layers.update(map.source(), columns({{1, 0}}));
+  EXPECT_TRUE(std::isnan(layers.layers().support.at(1, 0)));
+  EXPECT_EQ(layers.layers().evidence.at(1, 0), 3);
+  map.tree().deleteNode(HandMap::key(1, 0, 5));
+  layers.update(map.source(), columns({{1, 0}}));
+  EXPECT_EQ(layers.layers().support.at(1, 0), 0);
+}
+
 TEST(IncrementalLayers, AWallsOccupancyFollowsItsNeighbour)
 {
   HandMap map(0.1);
