@@ -32,6 +32,36 @@ CellMask cellsFrom(const Layer<float>& layer, float least)
   return mask;
 }
 
+CellMask freeCells(const Layer<float>& occupancy)
+{
+  CellMask mask(occupancy.frame(), 0);
+  for (std::size_t i = 0; i < mask.cells().size(); ++i)
+    mask.cells()[i] = grid::isFree(occupancy.cells()[i]);
+  return mask;
+}
+
+CellMask inside(const CellMask& mask, std::int32_t reach)
+{
+  const GridFrame& frame = mask.frame();
+  const auto holdsAround = [&](std::int32_t x, std::int32_t y)
+  {
+    for (std::int32_t ny = y - reach; ny <= y + reach; ++ny)
+      for (std::int32_t nx = x - reach; nx <= x + reach; ++nx)
+        if (!mask.at(nx, ny)) return false;
+    return true;
+  };
+  CellMask inner(frame, 0);
+  for (std::int32_t y = reach; y < frame.height - reach; ++y)
+    for (std::int32_t x = reach; x < frame.width - reach; ++x) inner.at(x, y) = holdsAround(x, y);
+  return inner;
+}
+
+std::size_t count(const CellMask& mask)
+{
+  const auto& cells = mask.cells();
+  return cells.size() - static_cast<std::size_t>(std::count(cells.begin(), cells.end(), 0));
+}
+
 CellMask cellsOf(const sim::World& world, const std::vector<std::string>& names,
                  const GridFrame& frame)
 {
