@@ -38,7 +38,7 @@ Drops dropsOf(const FreespaceResult& result)
   const auto edges = eval::without(eval::upperEdges(truth.floor, height),
                                    eval::cellsOf(bodies, standing, truth.frame()));
   return {height, eval::both(edges, result.maps.inView),
-          eval::cellsOf(bodies, {world.ramp->body}, truth.frame())};
+          eval::cellsOf(bodies, {world.drops->ramp}, truth.frame())};
 }
 
 /** How near a way comes to some cells [m]. */
@@ -55,34 +55,48 @@ double leastDistance(const Way& way, const eval::CellDistance& distance)
   return least;
 }
 
+/** How near a map's ways come to edges. */
+struct Nearness
+{
+  double least = std::numeric_limits<double>::infinity();  //!< of all ways [m]
+  std::size_t tooNear = 0;                                 //!< ways nearer than the robot's radius
+};
+
+Nearness nearness(const std::vector<Way>& ways, const eval::CellMask& edges, double radius)
+{
+  const eval::CellDistance distance(edges);
+  Nearness result;
+  for (const Way& way : ways)
+  {
+    const double least = leastDistance(way, distance);
+    result.least = std::min(result.least, least);
+    result.tooNear += least < radius;
+  }
+  return result;
+}
+
 void addEdges(const FreespaceResult& result, const Drops& drops, Table& table)
 {
-  const eval::CellDistance distance(drops.edges);
-  const double radius = result.world.robotRadius;
+  const auto& target = result.world.drops->edgesFound;
   for (std::size_t i = 0; i < kGroundMaps; ++i)
   {
     const GroundMap& map = result.maps.ground[i];
+    const bool judges = target && map.params.floorFrom == freespace::FloorFrom::Seen;
     const double found =
         eval::scoreWithinOneCell(map.layers.ground, result.maps.truth.ground, drops.edges)
             .occupied.recall();
-    double nearest = std::numeric_limits<double>::infinity();
-    std::size_t tooNear = 0;
-    for (const Way& way : result.groundRuns.onMap[i].ways)
-    {
-      const double least = leastDistance(way, distance);
-      nearest = std::min(nearest, least);
-      tooNear += least < radius;
-    }
+    const auto& ways = result.groundRuns.onMap[i].ways;
+    const Nearness near = nearness(ways, drops.edges, result.world.robotRadius);
     table.addRow({result.world.name, map.name, fixed(drops.height, 2),
-                  std::to_string(eval::count(drops.edges)),
-                  percent(found) + judged(" (95 %", found >= 0.95) + ")",
-                  std::to_string(result.groundRuns.onMap[i].ways.size()), fixed(nearest, 2),
-                  judged(std::to_string(tooNear) + " (none", tooNear == 0) + ")"});
+                  std::to_string(eval::count(drops.edges)), percent(found),
+                  judges ? judged(fixed(*target, 0) + " %", 100 * found >= *target) : "",
+                  std::to_string(ways.size()), fixed(near.least, 2), std::to_string(near.tooNear),
+                  judges ? judged("none", near.tooNear == 0) : ""});
   }
 }
 
 /** Cells whose inferred ground is too high over the true one. */
-std::size_t floatingCells(const freespace::Layers& layers, const grid::Layer<float>& truth)
+std::ptrdiff_t floatingCells(const freespace::Layers& layers, const grid::Layer<float>& truth)
 {
   const auto& evidence = layers.evidence;
   const auto inferred = eval::without(eval::cellsFrom(evidence, freespace::evidence::kInferred),
@@ -105,34 +119,36 @@ void addRamp(const FreespaceResult& result, const Drops& drops, Table& table)
 {
   const voxel::OctreeSource<octomap::OcTree> voxels(*result.run.tree);
   const auto& truth = result.maps.truth;
-  const Ramp& ramp = *result.world.ramp;
+  const DropsWorld& world = *result.world.drops;
   for (const GroundMap& map : result.maps.ground)
   {
-    const auto path = planGround(map, result.world, {ramp.from, ramp.to}, voxels);
+    const auto path = planGround(map, result.world, {world.from, world.to}, voxels);
     const auto free = eval::freeCells(map.layers.ground);
     const bool infers = map.params.floorFrom == freespace::FloorFrom::Seen;
-    const std::size_t floating = infers ? floatingCells(map.layers, truth.floor) : 0;
-    table.addRow(
-        {result.world.name, map.name,
-         infers ? judged(std::to_string(floating) + " (at most 30", floating <= 30) + ")" : "-",
-         path.found() ? fixed(path.path.length(), 1) + " m" : path.problem,
-         shareOf(drops.ramp, free),
-         shareOf(eval::both(drops.ramp, eval::freeCells(truth.ground)), free)});
+    const auto floating = infers ? floatingCells(map.layers, truth.floor) : 0;
+    table.addRow({result.world.name, map.name, infers ? std::to_string(floating) : "-",
+                  infers && world.floating ? judged("at most " + std::to_string(*world.floating),
+                                                    floating <= *world.floating)
+                                           : "",
+                  path.found() ? fixed(path.path.length(), 1) + " m" : "none: " + path.problem,
+                  shareOf(drops.ramp, free),
+                  shareOf(eval::both(drops.ramp, eval::freeCells(truth.ground)), free)});
   }
 }
 }  // namespace
 
 void addDrops(const Results& results, Report& report)
 {
-  Table edges{"drop_edges",
-              "Edges of drops: the upper cells in view beside what lies lower by more than a step "
-              "and a voxel",
-              {"world", "map", "drop [m]", "edge cells", "with an occupied cell within one cell",
-               "paths", "nearest to an edge cell [m]", "nearer than the robot's radius"},
-              {}};
+  Table edges{
+      "drop_edges",
+      "Edges of drops: the upper cells in view beside what lies lower by more than a step "
+      "and a voxel",
+      {"world", "map", "drop [m]", "edge cells", "with an occupied cell within one cell", "target",
+       "paths", "nearest to an edge cell [m]", "paths nearer than the robot's radius", "target"},
+      {}};
   Table ramps{"drops_and_ramp",
               "Ground over drops, and the ramp down beside them",
-              {"world", "map", "inferred cells that float", "path down the ramp",
+              {"world", "map", "inferred cells that float", "target", "path down the ramp",
                "its cells that are free", "its truly free cells that are free"},
               {}};
   for (const FreespaceResult& result : results)

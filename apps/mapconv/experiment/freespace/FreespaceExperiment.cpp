@@ -37,7 +37,7 @@ FreespaceResult resultOf(const FreespaceWorld& world, const FreespaceSettings& s
       std::make_shared<const sim::Scenario>(sim::Scenario::load(world.file, world.sensors));
   checkNames(world.lowWalls, result.scenario->world, world, "lowWalls");
   checkNames(world.objects, result.scenario->world, world, "objects");
-  if (world.ramp) checkNames({world.ramp->body}, result.scenario->world, world, "ramp");
+  if (world.drops) checkNames({world.drops->ramp}, result.scenario->world, world, "ramp");
   progress.stage("exploring " + world.name);
   result.run = explore(*result.scenario, world, settings, progress);
   progress.stage("converting " + world.name);
@@ -91,11 +91,11 @@ void runFreespaceExperiment(const ExperimentJob& job, Report& report)
   for (const FreespaceWorld& world : settings.worlds)
     results.push_back(resultOf(world, settings, job.progress));
   const Results all(results.begin(), results.end());
-  Results ofPaper, withRamp;
+  Results ofPaper, withDrops;
   for (const FreespaceResult& result : all)
   {
     if (result.world.paper) ofPaper.emplace_back(result);
-    if (result.world.ramp) withRamp.emplace_back(result);
+    if (result.world.drops) withDrops.emplace_back(result);
   }
   job.progress.stage("writing tables and plots");
   if (!ofPaper.empty())
@@ -107,7 +107,7 @@ void runFreespaceExperiment(const ExperimentJob& job, Report& report)
   }
   job.progress.stage("judging ground maps");
   addGround(all, report);
-  if (!withRamp.empty()) addDrops(withRamp, report);
+  if (!withDrops.empty()) addDrops(withDrops, report);
   job.progress.stage("drawing maps");
   report.addHeading("Maps");
   for (const FreespaceResult& result : all) addWorld(result, report);

@@ -44,7 +44,7 @@ void addPaths(const Results& results, const FreespaceSettings& settings, Progres
  * whether the latter is better where it has to be. */
 void addGround(const Results& results, Report& report);
 
-/** Edges of drops on these maps, of worlds with a ramp. */
+/** Edges of drops on these maps, of worlds with FreespaceWorld::drops. */
 void addDrops(const Results& results, Report& report);
 /** @} */
 

@@ -63,16 +63,18 @@ PaperFigures readPaper(StrictSection& section)
   return paper;
 }
 
-Ramp readRamp(StrictSection& section)
+DropsWorld readDrops(StrictSection& section)
 {
-  Ramp ramp;
+  DropsWorld drops;
+  section.read("ramp", drops.ramp);
   std::vector<double> way;
-  section.read("ramp", ramp.body);
   section.read("rampWay", way);
   if (way.size() != 4) section.fail("rampWay", "x y of its start and x y of its goal [m]");
-  ramp.from = {way[0], way[1]};
-  ramp.to = {way[2], way[3]};
-  return ramp;
+  drops.from = {way[0], way[1]};
+  drops.to = {way[2], way[3]};
+  if (section.has("targetEdgesFound")) section.read("targetEdgesFound", drops.edgesFound.emplace());
+  if (section.has("targetFloating")) section.read("targetFloating", drops.floating.emplace());
+  return drops;
 }
 
 FreespaceWorld readWorld(const ExperimentJob& job, const std::string& name)
@@ -97,7 +99,7 @@ FreespaceWorld readWorld(const ExperimentJob& job, const std::string& name)
   world.lowWalls = readWords(section, "lowWalls");
   world.objects = readWords(section, "objects");
   world.strict = readStrict(job, section);
-  if (section.has("ramp")) world.ramp = readRamp(section);
+  if (section.has("ramp")) world.drops = readDrops(section);
   if (section.has("paperSizes")) world.paper = readPaper(section);
   section.refuseUnknown("a world of this experiment");
   return world;

@@ -18,11 +18,13 @@ struct PaperFigures
   std::vector<double> sizes;               //!< of 2D map, + floor, + ceiling, in % of the octree
 };
 
-/** A way down past drops that is none, and where a ground robot is to go along it. */
-struct Ramp
+/** What is asked of a world with places to fall down from. */
+struct DropsWorld
 {
-  std::string body;               //!< how its name begins
-  mrpt::math::TPoint2D from, to;  //!< on either side of it [m]
+  std::string ramp;                  //!< a way down that is none of these: how its name begins
+  mrpt::math::TPoint2D from, to;     //!< where a ground robot is to go along it [m]
+  std::optional<double> edgesFound;  //!< target: least share of the edges' cells [%]
+  std::optional<int> floating;       //!< target: most inferred cells above the true floor
 };
 
 /** A world of the experiment: one section of the ini file. */
@@ -37,7 +39,7 @@ struct FreespaceWorld
   double safetyRadius = 0.4;                  //!< that aerial paths are planned and lifted with [m]
   std::vector<std::string> lowWalls, objects;        //!< how the names of such bodies begin
   mrpt_mapconv::freespace::ConversionParams strict;  //!< for ground robots that climb no steps
-  std::optional<Ramp> ramp;                          //!< of a world whose drops are looked at
+  std::optional<DropsWorld> drops;                   //!< of a world whose drops are looked at
   std::optional<PaperFigures> paper;                 //!< of a world for the paper's tables
 };
 

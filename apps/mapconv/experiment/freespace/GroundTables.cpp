@@ -116,9 +116,10 @@ class Targets
   }
   void addPaths() const
   {
-    addRow("pairs found of those whose ends the map lets the robot stand in",
-           percent(m_strictPaths.shareFound()), percent(m_seenPaths.shareFound()), "98 %",
-           m_seenPaths.shareFound() >= 0.98);
+    if (m_seenPaths.standable() > 0)
+      addRow("pairs found of those whose ends are free on the map",
+             percent(m_strictPaths.shareFound()), percent(m_seenPaths.shareFound()), "98 %",
+             m_seenPaths.shareFound() >= 0.98);
     const auto collisions = [](const GroundPaths& paths)
     { return std::max(paths.leaveFree, paths.touchWorld); };
     addRow("paths that leave truly free cells or touch the world",
