@@ -43,17 +43,29 @@ CellMask freeCells(const Layer<float>& occupancy)
 CellMask inside(const CellMask& mask, std::int32_t reach)
 {
   const GridFrame& frame = mask.frame();
-  const auto holdsAround = [&](std::int32_t x, std::int32_t y)
-  {
-    for (std::int32_t ny = y - reach; ny <= y + reach; ++ny)
-      for (std::int32_t nx = x - reach; nx <= x + reach; ++nx)
-        if (!mask.at(nx, ny)) return false;
-    return true;
-  };
-  CellMask inner(frame, 0);
-  for (std::int32_t y = reach; y < frame.height - reach; ++y)
-    for (std::int32_t x = reach; x < frame.width - reach; ++x) inner.at(x, y) = holdsAround(x, y);
+  const CellMask all(frame, 1);
+  CellMask inner = without(all, around(without(all, mask), reach));
+  for (std::int32_t y = 0; y < frame.height; ++y)
+    for (std::int32_t x = 0; x < frame.width; ++x)
+      if (x < reach || y < reach || x >= frame.width - reach || y >= frame.height - reach)
+        inner.at(x, y) = 0;
   return inner;
+}
+
+CellMask around(const CellMask& mask, std::int32_t reach)
+{
+  const GridFrame& frame = mask.frame();
+  CellMask near(frame, 0);
+  for (std::int32_t y = 0; y < frame.height; ++y)
+    for (std::int32_t x = 0; x < frame.width; ++x)
+    {
+      if (!mask.at(x, y)) continue;
+      const std::int32_t begin = std::max(x - reach, 0), end = std::min(x + reach + 1, frame.width);
+      for (std::int32_t ny = std::max(y - reach, 0); ny <= std::min(y + reach, frame.height - 1);
+           ++ny)
+        std::fill(near.row(ny) + begin, near.row(ny) + end, std::uint8_t{1});
+    }
+  return near;
 }
 
 std::size_t count(const CellMask& mask)

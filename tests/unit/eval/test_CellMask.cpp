@@ -71,3 +71,13 @@ TEST(CellMask, CellsFarInside)
   EXPECT_EQ(eval::inside(all, 2).at(2, 2), 0);
   EXPECT_EQ(eval::inside(all, 2).at(3, 2), 1);
 }
+
+TEST(CellMask, CellsAroundThoseOfAMask)
+{
+  CellMask corner(GridFrame{0.5, 3, -2, 4, 3}, 0);
+  corner.at(0, 0) = 1;
+  EXPECT_EQ(eval::around(corner, 0).cells(), corner.cells());
+  EXPECT_EQ(eval::around(corner, 1).cells(),
+            (std::vector<std::uint8_t>{1, 1, 0, 0, 1, 1, 0, 0, 0, 0, 0, 0}));
+  EXPECT_EQ(eval::count(eval::around(corner, 9)), 12u);
+}

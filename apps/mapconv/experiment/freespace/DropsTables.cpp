@@ -23,6 +23,7 @@ struct Drops
 {
   double height;         //!< what is higher is a drop [m]
   eval::CellMask edges;  //!< upper ones, in view
+  eval::CellMask below;  //!< the cells beside them that lie lower
   eval::CellMask ramp;
 };
 
@@ -37,7 +38,9 @@ Drops dropsOf(const FreespaceResult& result)
   standing.insert(standing.end(), world.lowWalls.begin(), world.lowWalls.end());
   const auto edges = eval::without(eval::upperEdges(truth.floor, height),
                                    eval::cellsOf(bodies, standing, truth.frame()));
-  return {height, eval::both(edges, result.maps.inView),
+  const auto inView = eval::both(edges, result.maps.inView);
+  return {height, inView,
+          eval::both(eval::lowerEdges(truth.floor, height), eval::around(inView, 1)),
           eval::cellsOf(bodies, {world.drops->ramp}, truth.frame())};
 }
 
@@ -55,16 +58,16 @@ double leastDistance(const Way& way, const eval::CellDistance& distance)
   return least;
 }
 
-/** How near a map's ways come to edges. */
+/** How near a map's ways come to drops. */
 struct Nearness
 {
   double least = std::numeric_limits<double>::infinity();  //!< of all ways [m]
   std::size_t tooNear = 0;                                 //!< ways nearer than the robot's radius
 };
 
-Nearness nearness(const std::vector<Way>& ways, const eval::CellMask& edges, double radius)
+Nearness nearness(const std::vector<Way>& ways, const eval::CellMask& below, double radius)
 {
-  const eval::CellDistance distance(edges);
+  const eval::CellDistance distance(below);
   Nearness result;
   for (const Way& way : ways)
   {
@@ -86,7 +89,7 @@ void addEdges(const FreespaceResult& result, const Drops& drops, Table& table)
         eval::scoreWithinOneCell(map.layers.ground, result.maps.truth.ground, drops.edges)
             .occupied.recall();
     const auto& ways = result.groundRuns.onMap[i].ways;
-    const Nearness near = nearness(ways, drops.edges, result.world.robotRadius);
+    const Nearness near = nearness(ways, drops.below, result.world.robotRadius);
     table.addRow({result.world.name, map.name, fixed(drops.height, 2),
                   std::to_string(eval::count(drops.edges)), percent(found),
                   judges ? judged(fixed(*target, 0) + " %", 100 * found >= *target) : "",
@@ -144,7 +147,7 @@ void addDrops(const Results& results, Report& report)
       "Edges of drops: the upper cells in view beside what lies lower by more than a step "
       "and a voxel",
       {"world", "map", "drop [m]", "edge cells", "with an occupied cell within one cell", "target",
-       "paths", "nearest to an edge cell [m]", "paths nearer than the robot's radius", "target"},
+       "paths", "nearest to a drop [m]", "paths nearer than the robot's radius", "target"},
       {}};
   Table ramps{"drops_and_ramp",
               "Ground over drops, and the ramp down beside them",
@@ -158,7 +161,9 @@ void addDrops(const Results& results, Report& report)
     addRamp(result, drops, ramps);
   }
   edges.note =
-      "Paths are those of the pairs above; their distance is taken to the edge cells' squares.";
+      "Paths are those of the pairs above. A drop begins where the edge cell ends: distances are "
+      "taken to the squares of the cells beside that lie lower, over which the robot's disc must "
+      "not hang.";
   ramps.note =
       "Inferred ground floats if it is more than " + fixed(kFloats, 1) + " m over the true floor.";
   report.addHeading("Drops");

@@ -99,6 +99,7 @@ FreespaceWorld readWorld(const ExperimentJob& job, const std::string& name)
   world.lowWalls = readWords(section, "lowWalls");
   world.objects = readWords(section, "objects");
   world.strict = readStrict(job, section);
+  section.read("judged", world.isJudged);
   if (section.has("ramp")) world.drops = readDrops(section);
   if (section.has("paperSizes")) world.paper = readPaper(section);
   section.refuseUnknown("a world of this experiment");

@@ -39,8 +39,9 @@ struct FreespaceWorld
   double safetyRadius = 0.4;                  //!< that aerial paths are planned and lifted with [m]
   std::vector<std::string> lowWalls, objects;        //!< how the names of such bodies begin
   mrpt_mapconv::freespace::ConversionParams strict;  //!< for ground robots that climb no steps
-  std::optional<DropsWorld> drops;                   //!< of a world whose drops are looked at
-  std::optional<PaperFigures> paper;                 //!< of a world for the paper's tables
+  bool isJudged = true;               //!< whether targets for ground that was seen hold in it
+  std::optional<DropsWorld> drops;    //!< of a world whose drops are looked at
+  std::optional<PaperFigures> paper;  //!< of a world for the paper's tables
 };
 
 struct FreespaceSettings

@@ -159,7 +159,7 @@ void addGround(const Results& results, Report& report)
     const FiguresOfMaps figures = figuresOf(result);
     addCells(result, figures, cells);
     addPairs(result, pairs);
-    Targets(result, figures, targets).add();
+    if (result.world.isJudged) Targets(result, figures, targets).add();
   }
   cells.note =
       "Strict: floorFrom = lowestFree, the parameters of section [strictConversion]; seen: the "

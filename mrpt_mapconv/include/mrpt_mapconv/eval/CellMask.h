@@ -29,6 +29,10 @@ CellMask freeCells(const grid::Layer<float>& occupancy);
  * that is not in it. What lies beyond the frame is not. \param reach ≥ 0 */
 CellMask inside(const CellMask& mask, std::int32_t reach);
 
+/** The cells with a cell of the mask within `reach` cells, along rows and columns, on its frame.
+ * \param reach ≥ 0 */
+CellMask around(const CellMask& mask, std::int32_t reach);
+
 /** Number of a mask's cells. */
 std::size_t count(const CellMask& mask);
 
