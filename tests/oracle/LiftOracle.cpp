@@ -1,8 +1,12 @@
 #include "LiftOracle.h"
 
+#include <mrpt_mapconv/freespace/Evidence.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "Shares.h"
 
 namespace mrpt_mapconv::oracle
 {
@@ -89,16 +93,24 @@ bool LiftOracle::satisfied(const CellDemand& demand, double z)
                      });
 }
 
-/** The floor of the cell that holds a place; null off the map. */
-const float* LiftOracle::floorAt(double x, double y) const
+/** The cell that holds a place; nothing off the map. */
+std::optional<std::size_t> LiftOracle::cellAt(double x, double y) const
 {
   const grid::GridFrame& frame = m_layers.frame();
   const double res = frame.resolution;
   for (int ky = frame.y0; ky < frame.yEnd(); ++ky)
     for (int kx = frame.x0; kx < frame.xEnd(); ++kx)
       if (kx * res <= x && x < (kx + 1) * res && ky * res <= y && y < (ky + 1) * res)
-        return &m_layers.floor.cells()[frame.indexOfKey(kx, ky)];
-  return nullptr;
+        return frame.indexOfKey(kx, ky);
+  return std::nullopt;
+}
+
+/** What a path's heights are counted from: a flying robot's from the floor, that of one on the
+ * ground from what it stands on. */
+float LiftOracle::heightOf(std::size_t cell) const
+{
+  if (m_params.robot == freespace::Robot::Aerial) return m_layers.floor.cells()[cell];
+  return m_layers.support.cells()[cell];
 }
 
 double LiftOracle::highestFloor(const std::vector<path::LiftedPoint>& dense,
@@ -108,8 +120,9 @@ double LiftOracle::highestFloor(const std::vector<path::LiftedPoint>& dense,
   double highest = kNaN;
   const auto consider = [&](const path::LiftedPoint& point)
   {
-    const float* floor = floorAt(point.position.x, point.position.y);
-    if (floor && !std::isnan(*floor) && !(highest >= *floor)) highest = *floor;
+    const auto cell = cellAt(point.position.x, point.position.y);
+    if (cell && !std::isnan(heightOf(*cell)) && !(highest >= heightOf(*cell)))
+      highest = heightOf(*cell);
   };
   const auto step = [&](std::size_t a, std::size_t b)
   {
@@ -124,6 +137,28 @@ double LiftOracle::highestFloor(const std::vector<path::LiftedPoint>& dense,
   for (std::size_t i = index + 1; i < dense.size() && (way += step(i - 1, i)) <= reach; ++i)
     consider(dense[i]);
   return highest;
+}
+
+double LiftOracle::inferredLength(const std::vector<path::LiftedPoint>& dense) const
+{
+  const grid::GridFrame& frame = m_layers.frame();
+  const double res = frame.resolution;
+  double sum = 0;
+  for (int ky = frame.y0; ky < frame.yEnd(); ++ky)
+    for (int kx = frame.x0; kx < frame.xEnd(); ++kx)
+    {
+      if (m_layers.evidence.cells()[frame.indexOfKey(kx, ky)] != freespace::evidence::kInferred)
+        continue;
+      for (std::size_t i = 1; i < dense.size(); ++i)
+      {
+        const auto &from = dense[i - 1].position, &to = dense[i].position;
+        Shares inside;
+        inside.cut(from.x, to.x, kx * res, (kx + 1) * res);
+        inside.cut(from.y, to.y, ky * res, (ky + 1) * res);
+        sum += std::max(0.0, inside.end - inside.begin) * std::hypot(to.x - from.x, to.y - from.y);
+      }
+    }
+  return sum;
 }
 
 std::vector<KeptRun> LiftOracle::runsOf(int kx, int ky) const
@@ -209,11 +244,13 @@ std::vector<path::LiftedPoint> LiftOracle::lift(const std::vector<path::LiftedPo
     path::LiftedPoint point;
     point.position = dense[i].position;
     point.isInput = dense[i].isInput;
-    const float* floor = floorAt(point.position.x, point.position.y);
-    if (!floor)
+    const auto cell = cellAt(point.position.x, point.position.y);
+    if (!cell)
       fail(point, Infeasibility::OffMap);
-    else if (std::isnan(*floor))
+    else if (std::isnan(m_layers.floor.cells()[*cell]) && std::isnan(heightOf(*cell)))
       fail(point, Infeasibility::NoFloor);
+    else if (std::isnan(heightOf(*cell)))
+      fail(point, Infeasibility::UnseenGround);
     else
     {
       point.rule = HeightRule::FloorAhead;

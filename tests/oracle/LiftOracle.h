@@ -4,6 +4,8 @@
 #include <mrpt_mapconv/freespace/Layers.h>
 #include <mrpt_mapconv/path/LiftPath.h>
 
+#include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "DenseMap.h"
@@ -39,11 +41,15 @@ class LiftOracle
   std::vector<path::LiftedPoint> lift(const std::vector<path::LiftedPoint>& dense) const;
   /** The demands of all cells that a sphere at (x, y) reaches. */
   std::vector<CellDemand> demands(double x, double y) const;
+  /** How much of a ground robot's way lies in cells whose ground is inferred [m]: each of its
+   * pieces is cut with every such cell. */
+  double inferredLength(const std::vector<path::LiftedPoint>& dense) const;
   /** Whether a cell lets a sphere be at height z, to 1e-5 m. */
   static bool satisfied(const CellDemand& demand, double z);
 
  private:
-  const float* floorAt(double x, double y) const;
+  std::optional<std::size_t> cellAt(double x, double y) const;
+  float heightOf(std::size_t cell) const;
   double highestFloor(const std::vector<path::LiftedPoint>& dense, std::size_t index) const;
   void fitSphere(path::LiftedPoint& point) const;
   std::vector<KeptRun> runsOf(int kx, int ky) const;

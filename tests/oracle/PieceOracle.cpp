@@ -3,31 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "Shares.h"
+
 namespace mrpt_mapconv::oracle
 {
-namespace
-{
 using mrpt::math::TPoint3D;
-
-/** Shares of the way between which a coordinate lies inside (low, high). */
-struct Shares
-{
-  double begin = 0, end = 1;
-
-  void cut(double from, double to, double low, double high)
-  {
-    if (from == to)
-    {
-      if (from < low || from >= high) end = -1;
-      return;
-    }
-    const auto [first, second] =
-        std::minmax({(low - from) / (to - from), (high - from) / (to - from)});
-    begin = std::max(begin, first);
-    end = std::min(end, second);
-  }
-};
-}  // namespace
 
 PieceOracle::PieceOracle(const DenseMap& map, const freespace::ConversionParams& conversion,
                          freespace::Robot robot, double heightOffset)

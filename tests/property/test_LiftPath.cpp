@@ -1,6 +1,7 @@
 // Lifting against its brute-force twin, and every lifted point against the sphere condition.
 #include <gtest/gtest.h>
 #include <mrpt_mapconv/freespace/Conversion.h>
+#include <mrpt_mapconv/freespace/Evidence.h>
 #include <mrpt_mapconv/path/LiftPath.h>
 #include <mrpt_mapconv/voxel/OctreeSource.h>
 #include <octomap/octomap.h>
@@ -10,6 +11,8 @@
 #include <string>
 
 #include "../oracle/LiftOracle.h"
+#include "DenseSource.h"
+#include "RandomGround.h"
 #include "RandomMap.h"
 
 namespace
@@ -28,6 +31,7 @@ struct Seen
 {
   std::map<HeightRule, int> rules;
   std::map<Infeasibility, int> problems;
+  int inferred = 0;  //!< ground robots' paths over inferred cells
 };
 
 /** A coordinate in or around cells [first, first + count): often on a cell's border or centre. */
@@ -72,6 +76,22 @@ void randomParams(Rng& rng, double res, freespace::ConversionParams& conversion,
   conversion.minClearance = params.safetyRadius * (chance(rng, 30) ? 2 : uniform(rng, 2, 4));
 }
 
+/** The ground of a cell whose floor is known: where it begins, elsewhere, or not known. */
+void setRandomGround(Rng& rng, double res, freespace::Layers& layers, std::size_t cell)
+{
+  using namespace freespace;
+  const float floor = layers.floor.cells()[cell];
+  const int kind = pick(rng, 0, 9);
+  const bool inferred = kind > 6;
+  if (kind == 0)
+    layers.evidence.cells()[cell] = evidence::kOpen;
+  else
+    layers.evidence.cells()[cell] = inferred ? evidence::kInferred : evidence::kSeen;
+  if (kind > 0)
+    layers.support.cells()[cell] =
+        inferred ? floor + static_cast<float>(uniform(rng, -6, 3) * res) : floor;
+}
+
 /** Floors and ceilings of any height, with holes and walls. */
 freespace::Layers randomLayers(Rng& rng, double res)
 {
@@ -89,6 +109,7 @@ freespace::Layers randomLayers(Rng& rng, double res)
       layers.floor.cells()[cell] = static_cast<float>(uniform(rng, -rough, rough));
       layers.ceiling.cells()[cell] =
           layers.floor.cells()[cell] + static_cast<float>(room + uniform(rng, 0, 10 * res));
+      setRandomGround(rng, res, layers, cell);
     }
   return layers;
 }
@@ -191,6 +212,11 @@ void compare(const std::vector<TPoint2D>& input, const freespace::Layers& layers
     }
   }
   EXPECT_EQ(lifted.feasible(), feasible);
+  // parts of a way that only touch a cell are left out
+  const double inferred = aerial ? 0 : oracle.inferredLength(lifted.points);
+  EXPECT_NEAR(lifted.inferredLength, inferred,
+              1e-5 * layers.frame().resolution * static_cast<double>(lifted.points.size()));
+  seen.inferred += inferred > 0;
 }
 
 TEST(LiftPath, AgreesWithTheOracleOnRandomHeights)
@@ -213,9 +239,10 @@ TEST(LiftPath, AgreesWithTheOracleOnRandomHeights)
     EXPECT_GT(seen.rules[rule], 500) << "rule " << static_cast<int>(rule);
   EXPECT_EQ(seen.rules[HeightRule::SphereSlab], 0) << "the layers show no slabs";
   for (const Infeasibility problem :
-       {Infeasibility::OffMap, Infeasibility::NoFloor, Infeasibility::Wall, Infeasibility::Unknown,
-        Infeasibility::NoHeight})
+       {Infeasibility::OffMap, Infeasibility::NoFloor, Infeasibility::UnseenGround,
+        Infeasibility::Wall, Infeasibility::Unknown, Infeasibility::NoHeight})
     EXPECT_GT(seen.problems[problem], 100) << "problem " << static_cast<int>(problem);
+  EXPECT_GT(seen.inferred, 100);
 }
 
 /** A few storeys of different heights in every column, hardly a wall: slabs are what matters. */
@@ -271,6 +298,39 @@ TEST(LiftPath, AgreesWithTheOracleOnRandomVoxelMaps)
        {Infeasibility::OffMap, Infeasibility::NoFloor, Infeasibility::Wall, Infeasibility::Unknown,
         Infeasibility::NoHeight})
     EXPECT_GT(seen.problems[problem], 50) << "problem " << static_cast<int>(problem);
+}
+
+TEST(LiftPath, AgreesWithTheOracleOnGroundThatIsInferred)
+{
+  Seen seen;
+  int floating = 0, buried = 0;
+  for (unsigned seed = 1; seed <= 300 && !HasFailure(); ++seed)
+  {
+    Rng rng(seed);
+    const double res = kResolutions[seed % 5];
+    const oracle::DenseMap dense = randomGround(rng, res);
+    const DenseSource source(dense);
+    freespace::ConversionParams conversion = randomGroundParams(rng, res);
+    conversion.reading = {};  // the oracle takes the map as it is
+    path::LiftParams params;
+    params.robot = chance(rng, 80) ? freespace::Robot::Ground : freespace::Robot::Aerial;
+    params.lookahead = uniform(rng, 0, 6) * res;
+    params.heightOffset = uniform(rng, 0, 4) * res;
+    params.safetyRadius = conversion.minClearance * uniform(rng, 0.1, 0.5);
+    const freespace::Layers layers = freespace::convert(source, conversion, 1);
+    for (std::size_t cell = 0; cell < layers.frame().size(); ++cell)
+    {
+      floating += layers.support.cells()[cell] > layers.floor.cells()[cell];
+      buried += layers.support.cells()[cell] < layers.floor.cells()[cell];
+    }
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    for (int i = 0; i < 4; ++i)
+      compare(randomPath(rng, layers.frame()), layers, conversion, params, &source, &dense, seen);
+  }
+  EXPECT_GT(floating, 1000);
+  EXPECT_GT(buried, 1000);
+  EXPECT_GT(seen.inferred, 100);
+  EXPECT_GT(seen.problems[Infeasibility::UnseenGround], 1000);
 }
 
 }  // namespace

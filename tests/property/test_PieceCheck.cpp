@@ -1,6 +1,7 @@
 // The straight pieces of random lifted paths against every voxel of the map.
 #include <gtest/gtest.h>
 #include <mrpt_mapconv/freespace/Conversion.h>
+#include <mrpt_mapconv/grid/CellKey.h>
 #include <mrpt_mapconv/path/PieceCheck.h>
 #include <mrpt_mapconv/voxel/OctreeSource.h>
 #include <octomap/octomap.h>
@@ -55,10 +56,18 @@ LiftedPath randomPath(Rng& rng, const MapShape& shape, double res)
   return path;
 }
 
+/** NaN, which differs from nothing by too much, where there is none. */
+double supportBelow(const freespace::Layers& layers, const mrpt::math::TPoint3D& at)
+{
+  const double res = layers.frame().resolution;
+  return static_cast<double>(layers.support.cells()[layers.frame().indexOfKey(
+      grid::cellKey(at.x, res), grid::cellKey(at.y, res))]);
+}
+
 TEST(PieceCheck, FindsWhatTheVoxelsSay)
 {
   constexpr double kResolutions[] = {0.05, 0.07, 0.1, 0.3};
-  int crossing = 0, clear = 0, steps = 0;
+  int crossing = 0, clear = 0, steps = 0, groundSteps = 0;
   for (unsigned seed = 0; seed < 1500 && !HasFatalFailure(); ++seed)
   {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -74,6 +83,7 @@ TEST(PieceCheck, FindsWhatTheVoxelsSay)
     conversion.minClearance = pick(rng, 1, 8) * 0.5 * res;
     conversion.maxStep = chance(rng, 50) ? 0 : uniform(rng, 0, 3) * res;
     conversion.maxSlope = uniform(rng, 0, 3);
+    if (chance(rng, 50)) conversion.floorFrom = freespace::FloorFrom::Seen;
     path::LiftParams params;
     params.robot = chance(rng, 50) ? freespace::Robot::Ground : freespace::Robot::Aerial;
     params.heightOffset = chance(rng, 50) ? 0 : uniform(rng, 0, 3) * res;
@@ -102,11 +112,18 @@ TEST(PieceCheck, FindsWhatTheVoxelsSay)
                         truth.stepTooHigh(from.z, to.z, std::hypot(to.x - from.x, to.y - from.y));
       ASSERT_EQ(found(Kind::HeightStep, i), high) << from << " to " << to;
       steps += high;
+      const double before = supportBelow(layers, from), behind = supportBelow(layers, to);
+      const bool rises =
+          params.robot == freespace::Robot::Ground &&
+          truth.stepTooHigh(before, behind, std::hypot(to.x - from.x, to.y - from.y));
+      ASSERT_EQ(found(Kind::FloorStep, i), rises) << from << " to " << to;
+      groundSteps += rises;
     }
   }
   EXPECT_GT(crossing, 500);
   EXPECT_GT(clear, 500);
   EXPECT_GT(steps, 200);
+  EXPECT_GT(groundSteps, 100);
 }
 
 }  // namespace

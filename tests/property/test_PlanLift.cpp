@@ -22,9 +22,31 @@ using mrpt::math::TPoint2D;
 
 constexpr int kSide = 24, kTop = 30;  // voxels
 
+/** For each column the voxels up to which nothing was seen: patches and bands of some, from the
+ * ground on or from a little over it. */
+std::vector<int> unseenPatches(Rng& rng, const std::vector<int>& floor)
+{
+  std::vector<int> end(kSide * kSide, -1);
+  for (int patch = pick(rng, 1, 8); patch > 0; --patch)
+  {
+    const bool alongX = chance(rng, 50);
+    const int x = alongX && chance(rng, 50) ? 0 : pick(rng, 0, kSide - 1);
+    const int y = pick(rng, 0, kSide - 1);
+    const int xEnd = std::min(kSide, x + pick(rng, 1, alongX ? kSide : 5));
+    const int yEnd = std::min(kSide, y + pick(rng, 1, alongX ? 5 : kSide));
+    const int above = chance(rng, 60) ? 0 : pick(rng, -1, 5);
+    for (int iy = y; iy < yEnd; ++iy)
+      for (int ix = x; ix < xEnd; ++ix)
+        if (const auto i = static_cast<std::size_t>(iy * kSide + ix); floor[i] < kTop)
+          end[i] = floor[i] + above;
+  }
+  return end;
+}
+
 /** Floors in patches, each a little higher or lower than what it lies on, some walls and lintels;
- * free space up to kTop. */
-void fillWithSteps(Rng& rng, octomap::OcTree& tree)
+ * free space up to kTop.
+ * \param unseen whether the ground was not seen everywhere */
+void fillWithSteps(Rng& rng, bool unseen, octomap::OcTree& tree)
 {
   std::vector<int> floor(kSide * kSide, 4), top(kSide * kSide, kTop);
   for (int patch = pick(rng, 3, 20); patch > 0; --patch)
@@ -41,9 +63,10 @@ void fillWithSteps(Rng& rng, octomap::OcTree& tree)
         else
           floor[i] = std::clamp(floor[i] + change, 0, kTop);
   }
+  const auto begin = unseen ? unseenPatches(rng, floor) : std::vector<int>(kSide * kSide, -1);
   for (int iy = 0; iy < kSide; ++iy)
     for (int ix = 0; ix < kSide; ++ix)
-      for (int z = -1; z < kTop; ++z)
+      for (int z = begin[static_cast<std::size_t>(iy * kSide + ix)]; z < kTop; ++z)
       {
         const auto i = static_cast<std::size_t>(iy * kSide + ix);
         tree.setNodeValue(oracle::octomapKey(ix, iy, z), z < floor[i] || z >= top[i] ? 3.5f : -2.0f,
@@ -71,54 +94,78 @@ std::vector<TPoint2D> flat(const path::LiftedPath& path)
   return points;
 }
 
-TEST(PlanLift, EveryPlannedPathIsAccepted)
+/** Kinds of paths that came up. */
+struct Tally
+{
+  int climbing = 0, flown = 0, inferred = 0;
+};
+
+/** Plans on a random map, if there is a way, and lifts what was planned. */
+void checkOnce(unsigned seed, freespace::FloorFrom floorFrom, Tally& tally)
 {
   constexpr double kResolutions[] = {0.05, 0.1, 0.3};
-  int climbing = 0, flown = 0;
-  for (unsigned seed = 0; seed < 1000 && !HasFatalFailure(); ++seed)
+  SCOPED_TRACE("seed " + std::to_string(seed));
+  Rng rng(seed);
+  const double res = kResolutions[pick(rng, 0, 2)];
+  octomap::OcTree tree(res);
+  fillWithSteps(rng, floorFrom == freespace::FloorFrom::Seen, tree);
+  const voxel::OctreeSource<octomap::OcTree> source(tree);
+
+  freespace::ConversionParams conversion;
+  conversion.floorFrom = floorFrom;
+  conversion.minClearance = pick(rng, 5, 12) * res;
+  conversion.maxStep = chance(rng, 60) ? 0 : pick(rng, 1, 3) * res;
+  conversion.maxSlope = pick(rng, 1, 3) + uniform(rng, 0.001, 0.1);  // steps are just low enough
+  const auto layers = freespace::convert(source, conversion, 1);
+  planning::RobotPathQuery query;
+  query.lift.robot = chance(rng, 75) ? Robot::Ground : Robot::Aerial;
+  const bool ground = query.lift.robot == Robot::Ground;
+  query.robotRadius = chance(rng, 50) ? 0 : uniform(rng, 0, 2) * res;
+  query.lift.safetyRadius = conversion.minClearance * uniform(rng, 0.1, 0.4);
+  query.lift.heightOffset = ground && chance(rng, 70) ? 0 : uniform(rng, 0, 6) * res;
+  query.lift.lookahead = chance(rng, 50) ? 5 * res : uniform(rng, 0, 8) * res;
+  const auto& occupancy = ground ? layers.ground : layers.aerial;
+  query.start = somewhere(rng, occupancy, res);
+  query.goal = somewhere(rng, occupancy, res);
+
+  const auto planned = planning::planRobotPath(layers, conversion, query, &source);
+  if (!planned.found()) return;
+  const auto lifted = path::liftPath(flat(planned.path), layers, conversion, query.lift, &source);
+  ASSERT_EQ(lifted.points.size(), planned.path.points.size());
+  ASSERT_TRUE(lifted.feasible()) << lifted.describeProblem(*lifted.firstProblem());
+  ASSERT_NEAR(lifted.inferredLength, planned.path.inferredLength, 1e-9);
+  for (const auto& problem :
+       path::PieceCheck(layers, conversion, query.lift, &source).problems(lifted))
+    FAIL() << "point " << problem.index << " " << problem.inWords();
+  double low = 1e9, high = -1e9;
+  for (const auto& point : lifted.points)
   {
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Rng rng(seed);
-    const double res = kResolutions[pick(rng, 0, 2)];
-    octomap::OcTree tree(res);
-    fillWithSteps(rng, tree);
-    const voxel::OctreeSource<octomap::OcTree> source(tree);
-
-    freespace::ConversionParams conversion;
-    conversion.minClearance = pick(rng, 5, 12) * res;
-    conversion.maxStep = chance(rng, 60) ? 0 : pick(rng, 1, 3) * res;
-    conversion.maxSlope = pick(rng, 1, 3) + uniform(rng, 0.001, 0.1);  // steps are just low enough
-    const auto layers = freespace::convert(source, conversion, 1);
-    planning::RobotPathQuery query;
-    query.lift.robot = chance(rng, 75) ? Robot::Ground : Robot::Aerial;
-    const bool ground = query.lift.robot == Robot::Ground;
-    query.robotRadius = chance(rng, 50) ? 0 : uniform(rng, 0, 2) * res;
-    query.lift.safetyRadius = conversion.minClearance * uniform(rng, 0.1, 0.4);
-    query.lift.heightOffset = ground && chance(rng, 70) ? 0 : uniform(rng, 0, 6) * res;
-    query.lift.lookahead = chance(rng, 50) ? 5 * res : uniform(rng, 0, 8) * res;
-    const auto& occupancy = ground ? layers.ground : layers.aerial;
-    query.start = somewhere(rng, occupancy, res);
-    query.goal = somewhere(rng, occupancy, res);
-
-    const auto planned = planning::planRobotPath(layers, conversion, query, &source);
-    if (!planned.found()) continue;
-    const auto lifted = path::liftPath(flat(planned.path), layers, conversion, query.lift, &source);
-    ASSERT_EQ(lifted.points.size(), planned.path.points.size());
-    ASSERT_TRUE(lifted.feasible()) << lifted.describeProblem(*lifted.firstProblem());
-    for (const auto& problem :
-         path::PieceCheck(layers, conversion, query.lift, &source).problems(lifted))
-      FAIL() << "point " << problem.index << " " << problem.inWords();
-    double low = 1e9, high = -1e9;
-    for (const auto& point : lifted.points)
-    {
-      low = std::min(low, point.position.z);
-      high = std::max(high, point.position.z);
-    }
-    climbing += ground && high - low > 1.5 * res;
-    flown += !ground;
+    low = std::min(low, point.position.z);
+    high = std::max(high, point.position.z);
   }
-  EXPECT_GT(climbing, 100);
-  EXPECT_GT(flown, 50);
+  tally.climbing += ground && high - low > 1.5 * res;
+  tally.flown += !ground;
+  tally.inferred += lifted.inferredLength > 1.5 * res;
+}
+
+TEST(PlanLift, EveryPlannedPathIsAccepted)
+{
+  Tally tally;
+  for (unsigned seed = 0; seed < 1000 && !HasFatalFailure(); ++seed)
+    checkOnce(seed, freespace::FloorFrom::LowestFree, tally);
+  EXPECT_GT(tally.climbing, 100);
+  EXPECT_GT(tally.flown, 50);
+  EXPECT_EQ(tally.inferred, 0);
+}
+
+TEST(PlanLift, EveryPathOverInferredGroundIsAccepted)
+{
+  Tally tally;
+  for (unsigned seed = 0; seed < 1000 && !HasFatalFailure(); ++seed)
+    checkOnce(seed, freespace::FloorFrom::Seen, tally);
+  EXPECT_GT(tally.climbing, 100);
+  EXPECT_GT(tally.flown, 50);
+  EXPECT_GT(tally.inferred, 100);
 }
 
 }  // namespace

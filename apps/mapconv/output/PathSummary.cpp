@@ -52,6 +52,9 @@ std::string pathText(const path::LiftedPath& path)
   std::string text = mrpt::format("points       %zu, z from %.2f to %.2f m\n", path.points.size(),
                                   figures.lowest, figures.highest);
   text += "length       " + pathLengths(path) + "\n";
+  if (path.inferredLength > 0)
+    text += mrpt::format("inferred     %.2f m of it in 2D lead over ground that was not seen but is inferred\n",
+                         path.inferredLength);
   text += mrpt::format("heights      %zu from the floor ahead and behind, %zu from the sphere\n",
                        figures.floorAhead, figures.sphere);
   return text;
@@ -62,7 +65,7 @@ JsonObject pathJson(const path::LiftedPath& path)
   const PathFigures figures = figuresOf(path);
   JsonObject json;
   json.add("points", path.points.size()).add("length", path.length());
-  json.add("length2D", path.length2D());
+  json.add("length2D", path.length2D()).add("inferredLength", path.inferredLength);
   json.add("zMin", figures.lowest).add("zMax", figures.highest);
   json.add("heightsFromFloor", figures.floorAhead).add("heightsFromSphere", figures.sphere);
   return json.add("slabsChecked", path.slabsChecked);

@@ -1,5 +1,6 @@
 #include <mrpt/system/CTicTac.h>
 #include <mrpt/system/CTimeLogger.h>
+#include <mrpt_mapconv/freespace/RobotLayers.h>
 #include <mrpt_mapconv/grid/GridMap.h>
 #include <mrpt_mapconv/maps/CFreeSpaceGridMap2D.h>
 #include <mrpt_mapconv/maps/MapDefinition.h>
@@ -178,7 +179,7 @@ void CFreeSpaceGridMap2D::warnIfNothingIsFree()
 
 const grid::Layer<float>& CFreeSpaceGridMap2D::shownOf(const freespace::Layers& layers) const
 {
-  return m_conversion.robot == freespace::Robot::Ground ? layers.ground : layers.aerial;
+  return freespace::occupancyFor(layers, m_conversion.robot);
 }
 
 std::string CFreeSpaceGridMap2D::asString() const

@@ -8,6 +8,8 @@
 #include <stdexcept>
 
 #include "Densify.h"
+#include "FloorAhead.h"
+#include "InferredLength.h"
 #include "NearestHeight.h"
 #include "SlabMap.h"
 #include "SphereFit.h"
@@ -16,38 +18,7 @@ namespace mrpt_mapconv::path
 {
 namespace
 {
-/** For each point of a path the highest floor within `reach` of arc length before and behind, ends
- * included.
- *
- * \param arc length of the path up to each point, not decreasing [m]
- * \param floors below the points [m]; NaN where there is none
- * \return NaN where no point in reach has a floor */
-std::vector<float> highestFloors(const std::vector<double>& arc, const std::vector<float>& floors,
-                                 double reach)
-{
-  std::vector<float> highest(arc.size(), std::numeric_limits<float>::quiet_NaN());
-  // Points in the window that may still become the highest: further on and lower, one after
-  // another.
-  std::vector<std::size_t> candidates;
-  std::size_t first = 0, next = 0;
-  for (std::size_t i = 0; i < arc.size(); ++i)
-  {
-    for (; next < arc.size() && arc[next] <= arc[i] + reach; ++next)
-    {
-      if (std::isnan(floors[next])) continue;
-      while (candidates.size() > first && floors[candidates.back()] <= floors[next])
-        candidates.pop_back();
-      candidates.push_back(next);
-    }
-    while (first < candidates.size() && arc[candidates[first]] < arc[i] - reach) ++first;
-    if (first < candidates.size()) highest[i] = floors[candidates[first]];
-  }
-  return highest;
-}
-
 using freespace::Layers;
-
-constexpr double kArcSlack = 1e-9;  // of a cell: both ends of the lookahead are included
 
 struct CellPlace
 {
@@ -77,51 +48,15 @@ void checkMaps(const Layers& layers, const voxel::VoxelSource* voxels)
   const grid::GridFrame& frame = layers.frame();
   if (frame.empty() || !(frame.resolution > 0))
     throw std::invalid_argument("layers: they are empty, a path needs at least one cell");
-  if (layers.ceiling.frame() != frame || layers.aerial.frame() != frame)
-    throw std::invalid_argument("layers: floor, ceiling and aerial must be on one frame");
+  for (const auto& [name, layer] : layers.named())
+    if (layer->frame() != frame)
+      throw std::invalid_argument("layers: " + name + " and floor must be on one frame");
   if (voxels && voxels->resolution() != frame.resolution)
   {
     std::ostringstream message;
     message << "voxel map: its resolution is " << voxels->resolution() << " m, the layers' "
             << frame.resolution << " m; it must be the map that the layers were made of";
     throw std::invalid_argument(message.str());
-  }
-}
-
-/** The floors below the points; a point without one gets its problem. */
-std::vector<float> floorsBelow(std::vector<LiftedPoint>& points, const Layers& layers)
-{
-  const grid::GridFrame& frame = layers.frame();
-  std::vector<float> floors(points.size(), Layers::kNone);
-  for (std::size_t i = 0; i < points.size(); ++i)
-  {
-    const auto& at = points[i].position;
-    const bool inside =
-        at.x >= frame.xMin() && at.x < frame.xMax() && at.y >= frame.yMin() && at.y < frame.yMax();
-    if (inside)
-    {
-      const CellPlace cell = cellOf(points[i], frame);
-      floors[i] = layers.floor.cells()[frame.indexOfKey(cell.kx, cell.ky)];
-    }
-    if (std::isnan(floors[i]))
-      points[i].problem = inside ? Infeasibility::NoFloor : Infeasibility::OffMap;
-  }
-  return floors;
-}
-
-/** Eq. 9 without the sphere. */
-void setFloorHeights(DensePath& dense, const Layers& layers, const LiftParams& params)
-{
-  const std::vector<float> floors = floorsBelow(dense.points, layers);
-  const std::vector<float> highest =
-      highestFloors(dense.arc, floors, params.lookahead + kArcSlack * layers.frame().resolution);
-  for (std::size_t i = 0; i < dense.points.size(); ++i)
-  {
-    LiftedPoint& point = dense.points[i];
-    const bool reachable = point.problem == Infeasibility::None;
-    point.rule = reachable ? HeightRule::FloorAhead : HeightRule::None;
-    point.position.z = reachable ? static_cast<double>(highest[i]) + params.heightOffset
-                                 : std::numeric_limits<double>::quiet_NaN();
   }
 }
 
@@ -260,6 +195,8 @@ LiftedPath liftPath(const std::vector<mrpt::math::TPoint2D>& path, const Layers&
     for (LiftedPoint& point : dense.points)
       if (point.problem == Infeasibility::None) sphere.lift(point, params.unknownIsPassable);
   }
+  else
+    lifted.inferredLength = inferredLength(dense.points, layers);
   lifted.points = std::move(dense.points);
   return lifted;
 }

@@ -1,3 +1,4 @@
+#include <mrpt_mapconv/freespace/Evidence.h>
 #include <mrpt_mapconv/params/Require.h>
 #include <mrpt_mapconv/path/LiftPath.h>
 
@@ -30,6 +31,8 @@ std::string reason(const LiftedPoint& point)
       return "it lies outside the map";
     case Infeasibility::NoFloor:
       return "no floor there";
+    case Infeasibility::UnseenGround:
+      return freespace::evidence::kOpenInWords;
     case Infeasibility::Wall:
       return "the safety sphere reaches the occupied cell at " +
              place(point.obstacle.x, point.obstacle.y);

@@ -1,3 +1,4 @@
+#include <mrpt_mapconv/freespace/RobotLayers.h>
 #include <mrpt_mapconv/grid/CellKey.h>
 #include <mrpt_mapconv/grid/OccupancyCell.h>
 #include <mrpt_mapconv/path/PieceCheck.h>
@@ -19,43 +20,27 @@ using freespace::Robot;
 using mrpt::math::TPoint3D;
 using Kind = PieceProblem::Kind;
 
-/** Heights, upwards [m]. */
-struct HeightRange
+double heightBelow(const grid::Layer<float>& heights, const TPoint3D& at)
 {
-  double low, high;
-};
-
-double floorBelow(const Layers& layers, const TPoint3D& at)
-{
-  const grid::GridFrame& frame = layers.frame();
-  return static_cast<double>(layers.floor.cells()[frame.indexOfKey(
+  const grid::GridFrame& frame = heights.frame();
+  return static_cast<double>(heights.cells()[frame.indexOfKey(
       grid::cellKey(at.x, frame.resolution), grid::cellKey(at.y, frame.resolution))]);
 }
 
-/** The lowest occupied voxel that a body meets in a column; nothing if there is none. */
-std::optional<HeightRange> occupiedVoxel(VoxelLookup& voxels, double resolution,
-                                         const SegmentColumn& column, const HeightRange& body)
-{
-  const auto begin = static_cast<std::int32_t>(std::floor((body.low + kHeightSlack) / resolution));
-  const auto end = static_cast<std::int32_t>(std::ceil((body.high - kHeightSlack) / resolution));
-  const auto found = voxels.lowestOccupied(column.kx, column.ky, begin, end);
-  if (!found) return std::nullopt;
-  return HeightRange{*found * resolution, (*found + 1) * resolution};
-}
-
-/** What the layers alone say of that. */
+/** What a body meets in a column, as far as the layers alone tell. */
 std::optional<HeightRange> outsideFreeRange(const Layers& layers, Robot robot,
                                             const SegmentColumn& column, const HeightRange& body)
 {
   const grid::GridFrame& frame = layers.frame();
   if (!frame.containsKey(column.kx, column.ky)) return std::nullopt;
   const std::size_t cell = frame.indexOfKey(column.kx, column.ky);
-  const auto floor = static_cast<double>(layers.floor.cells()[cell]);
-  if (std::isnan(floor))
+  if (std::isnan(layers.floor.cells()[cell]))
     return grid::isOccupied(layers.aerial.cells()[cell]) ? std::optional(body) : std::nullopt;
-  if (body.low < floor - kHeightSlack) return HeightRange{body.low, floor};
+  // between the ground and the free range over it nothing is known to be occupied
+  const auto bottom = static_cast<double>(freespace::heightsFor(layers, robot).cells()[cell]);
+  if (body.low < bottom - kHeightSlack) return HeightRange{body.low, bottom};
   const auto ceiling = static_cast<double>(layers.ceiling.cells()[cell]);
-  // a ground robot stands on the column's own floor, over which there is room for it
+  // a ground robot stands on the column's own ground, over which there is room for it
   if (robot == Robot::Aerial && body.high > ceiling + kHeightSlack)
     return HeightRange{ceiling, body.high};
   return std::nullopt;
@@ -116,8 +101,9 @@ std::vector<PieceProblem> PieceCheck::problems(const LiftedPath& path) const
 
 void PieceCheck::addSteps(const LiftedPath& path, Kind kind, std::vector<PieceProblem>& found) const
 {
+  const grid::Layer<float>& ground = freespace::heightsFor(m_layers, m_params.robot);
   const auto heightAt = [&](const TPoint3D& at)
-  { return kind == Kind::FloorStep ? floorBelow(m_layers, at) : at.z; };
+  { return kind == Kind::FloorStep ? heightBelow(ground, at) : at.z; };
   forEachPiece(path,
                [&](std::size_t index, const TPoint3D& from, const TPoint3D& to)
                {
@@ -138,10 +124,9 @@ void PieceCheck::addCrossings(const LiftedPath& path, std::vector<PieceProblem>&
 {
   const bool ground = m_params.robot == Robot::Ground;
   // from the robot's lowest to its highest part that must be clear, over the path
-  const HeightRange body = ground ? HeightRange{m_limit.least() - m_params.heightOffset,
-                                                m_minClearance - m_params.heightOffset}
-                                  : HeightRange{0, 0};
-  if (body.low > body.high) return;  // a robot no higher than what it climbs
+  const HeightRange body =
+      ground ? groundBody(m_limit, m_minClearance) + -m_params.heightOffset : HeightRange{0, 0};
+  if (body.empty()) return;
   const double resolution = m_layers.frame().resolution;
   std::optional<VoxelLookup> voxels;
   if (m_voxels) voxels.emplace(*m_voxels);
@@ -149,7 +134,7 @@ void PieceCheck::addCrossings(const LiftedPath& path, std::vector<PieceProblem>&
   {
     const HeightRange swept{std::min(column.from.z, column.to.z) + body.low,
                             std::max(column.from.z, column.to.z) + body.high};
-    return voxels ? occupiedVoxel(*voxels, resolution, column, swept)
+    return voxels ? voxels->lowestOccupied(column.kx, column.ky, swept)
                   : outsideFreeRange(m_layers, m_params.robot, column, swept);
   };
   forEachPiece(

@@ -1,8 +1,10 @@
 #include "VoxelLookup.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "ColumnMarks.h"
+#include "NearestHeight.h"
 
 namespace mrpt_mapconv::path
 {
@@ -26,6 +28,17 @@ std::optional<std::int32_t> VoxelLookup::lowestOccupied(std::int32_t kx, std::in
     return found < end ? std::optional(found + block.zMin()) : std::nullopt;
   }
   return std::nullopt;
+}
+
+std::optional<HeightRange> VoxelLookup::lowestOccupied(std::int32_t kx, std::int32_t ky,
+                                                       const HeightRange& body)
+{
+  const double resolution = m_source.resolution();
+  const auto begin = static_cast<std::int32_t>(std::floor((body.low + kHeightSlack) / resolution));
+  const auto end = static_cast<std::int32_t>(std::ceil((body.high - kHeightSlack) / resolution));
+  const auto found = lowestOccupied(kx, ky, begin, end);
+  if (!found) return std::nullopt;
+  return HeightRange{*found * resolution, (*found + 1) * resolution};
 }
 
 const ColumnBlock& VoxelLookup::blockAt(std::int32_t kx, std::int32_t ky)

@@ -6,6 +6,8 @@
 #include <cstddef>
 #include <optional>
 
+#include "HeightRange.h"
+
 namespace mrpt_mapconv::path
 {
 /** Occupied voxels of single columns. The blocks looked at last are kept, so columns are best asked
@@ -18,6 +20,9 @@ class VoxelLookup
   /** The lowest occupied one among the voxels [zBegin, zEnd) of a column. */
   std::optional<std::int32_t> lowestOccupied(std::int32_t kx, std::int32_t ky, std::int32_t zBegin,
                                              std::int32_t zEnd);
+  /** The lowest one that a body meets in a column; touching is no meeting. */
+  std::optional<HeightRange> lowestOccupied(std::int32_t kx, std::int32_t ky,
+                                            const HeightRange& body);
 
  private:
   const voxel::ColumnBlock& blockAt(std::int32_t kx, std::int32_t ky);

@@ -1,12 +1,14 @@
 #include "RobotPlanner.h"
 
 #include <mrpt_mapconv/grid/CellKey.h>
+#include <mrpt_mapconv/grid/OccupancyCell.h>
 
 #include <algorithm>
 #include <cmath>
 #include <tuple>
 
 #include "FloorSteps.h"
+#include "InferredObstacles.h"
 #include "WhyNotFree.h"
 
 namespace mrpt_mapconv::planning
@@ -33,12 +35,15 @@ RobotPlanner::RobotPlanner(const freespace::Layers& layers,
       m_conversion(conversion),
       m_query(query),
       m_voxels(voxels),
-      m_search(occupancy(), query.start, query.goal, query.robotRadius),
+      m_occupancy(isGround() && voxels ? withInferredObstacles(layers, conversion, *voxels)
+                                       : freespace::occupancyFor(layers, query.lift.robot)),
+      m_search(m_occupancy, query.start, query.goal, query.robotRadius),
       m_faults(layers, conversion, query.lift, voxels),
       m_looked(layers.frame(), 0)
 {
   if (isGround())
-    blockFloorSteps(layers.floor, path::StepLimit(conversion, layers.frame().resolution), m_search);
+    blockFloorSteps(freespace::heightsFor(layers, query.lift.robot),
+                    path::StepLimit(conversion, layers.frame().resolution), m_search);
 }
 
 RobotPath RobotPlanner::plan()
@@ -110,7 +115,9 @@ std::string RobotPlanner::whyNoWay(const std::string& problem) const
 {
   if (const auto end = m_search.badEnd())
   {
-    const std::string why = whyNotFree(m_layers, m_conversion, m_query.lift.robot, *end);
+    std::string why = whyNotFree(m_layers, m_conversion, m_query.lift.robot, *end);
+    if (why.empty() && !grid::isFree(m_occupancy.at(end->x, end->y)))
+      why = "something occupied is in the robot's way there, over ground that is inferred";
     return why.empty() ? problem : problem + ": " + why;
   }
   const std::string step = isGround() ? stepInTheWay() : "";
@@ -122,7 +129,7 @@ std::string RobotPlanner::whyNoWay(const std::string& problem) const
 std::string RobotPlanner::stepInTheWay() const
 {
   const GridPath way =
-      GridSearch(occupancy(), m_query.start, m_query.goal, m_query.robotRadius).plan();
+      GridSearch(m_occupancy, m_query.start, m_query.goal, m_query.robotRadius).plan();
   if (!way.found()) return {};
   const LiftedPath path = lift(way.points);
   const auto faults = m_faults.of(path);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <mrpt_mapconv/freespace/RobotLayers.h>
 #include <mrpt_mapconv/planning/RobotPath.h>
 
 #include <string>
@@ -22,10 +23,6 @@ class RobotPlanner
 
  private:
   bool isGround() const { return m_query.lift.robot == freespace::Robot::Ground; }
-  const grid::Layer<float>& occupancy() const
-  {
-    return isGround() ? m_layers.ground : m_layers.aerial;
-  }
   path::LiftedPath lift(const std::vector<mrpt::math::TPoint2D>& points) const;
   path::LiftedPath liftCentre(Cell cell) const;
   Cell cellOf(double x, double y) const;
@@ -49,6 +46,7 @@ class RobotPlanner
   const freespace::ConversionParams& m_conversion;
   const RobotPathQuery& m_query;
   const voxel::VoxelSource* m_voxels;
+  grid::Layer<float> m_occupancy;  //!< where the robot may be
   GridSearch m_search;
   WayFaults m_faults;
   CellMask m_looked;          //!< cells whose centre was tried

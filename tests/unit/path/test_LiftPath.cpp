@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "FlatLayers.h"
+#include "support/SeenGround.h"
 
 namespace
 {
@@ -19,7 +20,7 @@ using Points = std::vector<mrpt::math::TPoint2D>;
 
 LiftedPath lift(const Points& points, const freespace::Layers& layers, const LiftParams& params)
 {
-  return liftPath(points, layers, {}, params);
+  return liftPath(points, test::withSeenGround(layers), {}, params);
 }
 
 /** The one point of a path that is only one point. */

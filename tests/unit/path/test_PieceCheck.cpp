@@ -4,6 +4,7 @@
 
 #include "FlatLayers.h"
 #include "support/HandMap.h"
+#include "support/SeenGround.h"
 
 namespace
 {
@@ -27,7 +28,8 @@ LiftedPath pathOf(const std::vector<TPoint3D>& points)
 std::vector<PieceProblem> problems(const freespace::Layers& layers, const LiftParams& params,
                                    const std::vector<TPoint3D>& points)
 {
-  return PieceCheck(layers, {}, params, nullptr).problems(pathOf(points));
+  const freespace::Layers seen = test::withSeenGround(layers);
+  return PieceCheck(seen, {}, params, nullptr).problems(pathOf(points));
 }
 
 TEST(StepLimit, IsTheLargestOfStepVoxelAndSlope)
@@ -131,6 +133,45 @@ TEST(LiftedPath, HasALengthIn3DAndOneIn2D)
   EXPECT_DOUBLE_EQ(path.length(), 7);
   EXPECT_DOUBLE_EQ(path.length2D(), 5);
   EXPECT_EQ(pathOf({}).length(), 0);
+}
+
+/** Flat layers, of which one cell's free space begins elsewhere than its ground. */
+freespace::Layers layersWithOpenCell(float floor, float support)
+{
+  auto layers = test::withSeenGround(test::flatLayers());
+  layers.floor.at(4, 4) = floor;
+  layers.support.at(4, 4) = support;
+  layers.evidence.at(4, 4) = freespace::evidence::kInferred;
+  return layers;
+}
+
+TEST(PieceCheck, StepsOfAGroundRobotAreThoseOfTheSupport)
+{
+  const std::vector<TPoint3D> across{{0.875, 1.125, 0}, {1.125, 1.125, 0}};
+  const auto found = [&](float floor, float support)
+  {
+    const auto layers = layersWithOpenCell(floor, support);
+    return PieceCheck(layers, {}, test::ground(0, 0), nullptr).problems(pathOf(across));
+  };
+  EXPECT_TRUE(found(-2, 0.25f).empty());
+  const auto steps = found(0, -1);
+  ASSERT_EQ(steps.size(), 1u);
+  EXPECT_EQ(steps[0].kind, Kind::FloorStep);
+  EXPECT_EQ(steps[0].to, -1);
+}
+
+TEST(PieceCheck, UnknownVoxelsBelowAFreeRangeAreInNoGroundRobotsWay)
+{
+  const auto hits = [](float floor, float support, const LiftParams& params, double z)
+  {
+    const auto layers = layersWithOpenCell(floor, support);
+    return !PieceCheck(layers, {}, params, nullptr)
+                .problems(pathOf({{0.9, 1.1, z}, {1.2, 1.1, z}}))
+                .empty();
+  };
+  EXPECT_FALSE(hits(1, 0, test::ground(0, 0), 0)) << "free space begins 1 m over the ground";
+  EXPECT_TRUE(hits(-1, 0.5f, test::ground(0.25, 0), 0.25)) << "that is under the ground";
+  EXPECT_TRUE(hits(1, 0, test::sphere(0), 0.5)) << "nobody flies where nothing is known";
 }
 
 }  // namespace

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "../../oracle/PieceOracle.h"
+#include "support/SeenGround.h"
 
 namespace
 {
@@ -33,7 +34,7 @@ freespace::Layers floors(const std::vector<std::string>& rows)
       layers.slope.at(ix, iy) = 0;
       layers.aerial.at(ix, iy) = layers.ground.at(ix, iy) = 0;
     }
-  return layers;
+  return test::withSeenGround(layers);
 }
 
 RobotPathQuery query(int fromX, int fromY, int toX, int toY)
@@ -154,7 +155,7 @@ freespace::Layers randomFloors(std::mt19937& rng)
         if (wall) layers.ground.at(ix, iy) = 1;
       }
   }
-  return layers;
+  return test::withSeenGround(layers);
 }
 
 /** Whether steps that are low enough lead from cell to cell. */
@@ -231,6 +232,53 @@ TEST(GroundSteps, ThereIsAPathIfAndOnlyIfLowStepsLeadToTheGoal)
   EXPECT_GT(paths, 300);
   EXPECT_GT(none, 200);
   EXPECT_GT(winding, 20);
+}
+
+TEST(GroundSteps, StepsAreThoseOfTheSupportNotOfTheFloor)
+{
+  auto layers = floors({"00000000", "00000000"});
+  for (int iy = 0; iy < 2; ++iy)
+  {
+    layers.floor.at(4, iy) = 0.9f;  // free space begins there, over the ground
+    layers.evidence.at(4, iy) = freespace::evidence::kInferred;
+  }
+  const auto over = planRobotPath(layers, {}, query(1, 0, 6, 0));
+  ASSERT_TRUE(over.found()) << over.problem;
+  for (const auto& point : over.path.points) EXPECT_EQ(0, point.position.z);
+  EXPECT_NEAR(over.path.inferredLength, kCell, 1e-9);
+
+  layers = floors({"00000000", "00000000"});
+  for (int iy = 0; iy < 2; ++iy) layers.support.at(4, iy) = -0.9f;
+  EXPECT_NE(
+      planRobotPath(layers, {}, query(1, 0, 6, 0)).problem.find("the floor drops from 0.00 m"),
+      std::string::npos);
+}
+
+TEST(GroundSteps, AnEndWithoutGroundSaysSo)
+{
+  auto layers = floors({"000000", "000000"});
+  layers.ground.at(1, 0) = grid::kUnknown;
+  layers.support.at(1, 0) = layers.slope.at(1, 0) = freespace::Layers::kNone;
+  EXPECT_EQ(planRobotPath(layers, {}, query(1, 0, 5, 0)).problem,
+            "start (0.15, 0.05) m is in an unknown cell: nobody saw the ground there, and none "
+            "that was seen around tells where it is");
+}
+
+TEST(GroundSteps, AnEndOnTheEdgeOfADropSaysSo)
+{
+  auto layers = floors({"000000", "000000"});
+  layers.ground.at(1, 0) = 1;
+  for (int ix = 2; ix < 4; ++ix) layers.support.at(ix, 0) = freespace::Layers::kNone;
+  layers.floor.at(3, 0) = -0.5f;
+  freespace::ConversionParams conversion;
+  conversion.maxStep = 0.2;
+  conversion.floorFrom = freespace::FloorFrom::Seen;
+  EXPECT_EQ(planRobotPath(layers, conversion, query(1, 0, 5, 0)).problem,
+            "start (0.15, 0.05) m is in an occupied cell: it is the edge of a drop: within 1 m the "
+            "floor lies lower by more than maxStep = 0.2 m and a voxel");
+  layers.floor.at(3, 0) = -0.3f;
+  EXPECT_NE(planRobotPath(layers, conversion, query(1, 0, 5, 0)).problem.find("the step to a cell"),
+            std::string::npos);
 }
 
 }  // namespace

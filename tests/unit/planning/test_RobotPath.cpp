@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "support/HandMap.h"
+#include "support/SeenGround.h"
 
 namespace
 {
@@ -64,7 +65,7 @@ RobotPathQuery acrossRoom(double y)
 
 RobotPath plan(const freespace::Layers& layers, const RobotPathQuery& query)
 {
-  return planRobotPath(layers, kConversion, query);
+  return planRobotPath(test::withSeenGround(layers), kConversion, query);
 }
 
 TEST(RobotPath, straightWayIsLiftedAsItIs)

@@ -13,6 +13,10 @@ constexpr float kWall = 4;      //!< an occupied voxel, but no kept free range
 
 /** Whether the voxel under the lowest kept free range is unknown. */
 inline bool isOpen(float evidence) { return evidence == kInferred || evidence == kOpen; }
+
+/** Why no ground robot goes where there is free space, but no support. */
+constexpr const char* kOpenInWords =
+    "nobody saw the ground there, and none that was seen around tells where it is";
 }  // namespace evidence
 
 }  // namespace mrpt_mapconv::freespace

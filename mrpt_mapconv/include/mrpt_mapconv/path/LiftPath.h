@@ -19,9 +19,10 @@ namespace mrpt_mapconv::path
 struct LiftParams
 {
   freespace::Robot robot = freespace::Robot::Aerial;
-  double lookahead = 0.5;  //!< the floor is looked at this far ahead and behind, along the path [m]
-  double heightOffset = 0.5;       //!< R_off: height above that floor [m]
-  double safetyRadius = 0.3;       //!< R_r: of the aerial robot's sphere, (0, minClearance/2] [m]
+  double lookahead = 0.5;     //!< the floor (for a ground robot: the ground) is looked at this far
+                              //!< ahead and behind, along the path [m]
+  double heightOffset = 0.5;  //!< R_off: height above that floor or ground [m]
+  double safetyRadius = 0.3;  //!< R_r: of the aerial robot's sphere, (0, minClearance/2] [m]
   bool unknownIsPassable = false;  //!< cells of which nothing is known do not stop the sphere
 
   /** \param minClearance R_maxZ that the layers were made with [m]
@@ -33,7 +34,7 @@ struct LiftParams
 enum class HeightRule : std::uint8_t
 {
   None,           //!< nothing: the point has no height, see Infeasibility
-  FloorAhead,     //!< the highest floor within lookahead, plus heightOffset
+  FloorAhead,     //!< the highest floor or ground within lookahead, plus heightOffset
   SphereFloor,    //!< raised until the sphere is clear of a floor
   SphereCeiling,  //!< lowered until the sphere is clear of a ceiling
   SphereSlab      //!< moved up or down, clear of a slab between two free ranges
@@ -43,11 +44,12 @@ enum class HeightRule : std::uint8_t
 enum class Infeasibility : std::uint8_t
 {
   None,
-  OffMap,   //!< outside the layers
-  NoFloor,  //!< its own cell has no floor
-  Wall,     //!< the sphere reaches an occupied cell
-  Unknown,  //!< the sphere reaches a cell of which nothing is known, or the map's edge
-  NoHeight  //!< the sphere fits in at no height
+  OffMap,        //!< outside the layers
+  NoFloor,       //!< its own cell has no floor
+  UnseenGround,  //!< of a ground robot: its own cell has a floor, but no support
+  Wall,          //!< the sphere reaches an occupied cell
+  Unknown,       //!< the sphere reaches a cell of which nothing is known, or the map's edge
+  NoHeight       //!< the sphere fits in at no height
 };
 
 /** A point of a lifted path. */
@@ -65,6 +67,9 @@ struct LiftedPath
 {
   std::vector<LiftedPoint> points;
   bool slabsChecked = false;  //!< true if the voxel map was looked at, not the layers alone
+  /** Of a ground robot's path: how much of length2D() lies in cells whose ground is inferred, not
+   * seen (evidence::kInferred); the parts of its pieces in these cells are added up [m]. */
+  double inferredLength = 0;
 
   /** Index of the first point that cannot be reached; nothing if there is none. */
   std::optional<std::size_t> firstProblem() const;
@@ -81,7 +86,8 @@ struct LiftedPath
  *    added until no spacing exceeds a cell (by more than 1e-9 of it).
  * 2. p_f = the highest floor below the path's points within `lookahead` of arc length before and
  *    behind, ends included (to 1e-9 of a cell); cells without a floor and points off the map are
- *    skipped. z = p_f + heightOffset.
+ *    skipped. z = p_f + heightOffset. For a ground robot the floor is Layers::support, on which it
+ *    stands: of an open cell the layer floor is no more than an upper bound of the ground.
  * 3. Aerial robots only: with d the horizontal distance from the point to the nearest point of a
  *    cell's square, every cell with d ≤ R_r (to 1e-9 of a cell) must satisfy
  *    floor + sqrt(R_r² − d²) ≤ z ≤ ceiling − sqrt(R_r² − d²);

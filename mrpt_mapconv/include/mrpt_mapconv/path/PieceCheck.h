@@ -16,7 +16,7 @@ struct PieceProblem
 {
   enum class Kind : std::uint8_t
   {
-    FloorStep,   //!< the floors below the two points differ too much for a ground robot
+    FloorStep,   //!< the supports below the two points differ too much for a ground robot
     HeightStep,  //!< so do the path's heights
     Occupied     //!< an occupied voxel is in the way; without a voxel map, what the layers show
   };
@@ -33,12 +33,15 @@ struct PieceProblem
 
 /** Checks the straight pieces between the points of a lifted path; liftPath() looks at the points.
  *
- * - Ground robots: neither floor nor height changes by more than StepLimit from point to point.
+ * - Ground robots: neither Layers::support nor height changes by more than StepLimit from point to
+ *   point.
  * - No piece crosses an occupied voxel (touching is no crossing). An aerial robot's is the piece
  *   itself; for a ground robot all counts that is above the piece, less heightOffset, by
- *   max(maxStep, one voxel) to minClearance.
+ *   max(maxStep, one voxel) to minClearance. Unknown voxels are in nobody's way, also those
+ *   between an inferred ground and the free range over it.
  * - Without a voxel map the layers stand for it: occupied cells without a floor at all heights,
- *   others below their floor and, for aerial robots, above their ceiling.
+ *   others below their floor (ground robots: their support) and, for aerial robots, above their
+ *   ceiling.
  */
 class PieceCheck
 {
