@@ -1,4 +1,4 @@
-#include <mrpt_mapconv/eval/CellDistance.h>
+#include <mrpt_mapconv/eval/DropDistance.h>
 #include <mrpt_mapconv/eval/LayerErrors.h>
 #include <mrpt_mapconv/eval/OccupancyScore.h>
 #include <mrpt_mapconv/eval/UpperEdges.h>
@@ -44,8 +44,8 @@ Drops dropsOf(const FreespaceResult& result)
           eval::cellsOf(bodies, {world.drops->ramp}, truth.frame())};
 }
 
-/** How near a way comes to some cells [m]. */
-double leastDistance(const Way& way, const eval::CellDistance& distance)
+/** How near a way comes to drops [m]. */
+double leastDistance(const Way& way, const eval::DropDistance& distance)
 {
   constexpr double kStep = 0.05;  // [m]
   double least = std::numeric_limits<double>::infinity();
@@ -65,9 +65,8 @@ struct Nearness
   std::size_t tooNear = 0;                                 //!< ways nearer than the robot's radius
 };
 
-Nearness nearness(const std::vector<Way>& ways, const eval::CellMask& below, double radius)
+Nearness nearness(const std::vector<Way>& ways, const eval::DropDistance& distance, double radius)
 {
-  const eval::CellDistance distance(below);
   Nearness result;
   for (const Way& way : ways)
   {
@@ -81,6 +80,7 @@ Nearness nearness(const std::vector<Way>& ways, const eval::CellMask& below, dou
 void addEdges(const FreespaceResult& result, const Drops& drops, Table& table)
 {
   const auto& target = result.world.drops->edgesFound;
+  const eval::DropDistance distance(result.maps.truth.floor, drops.below, drops.height);
   for (std::size_t i = 0; i < kGroundMaps; ++i)
   {
     const GroundMap& map = result.maps.ground[i];
@@ -89,7 +89,7 @@ void addEdges(const FreespaceResult& result, const Drops& drops, Table& table)
         eval::scoreWithinOneCell(map.layers.ground, result.maps.truth.ground, drops.edges)
             .occupied.recall();
     const auto& ways = result.groundRuns.onMap[i].ways;
-    const Nearness near = nearness(ways, drops.below, result.world.robotRadius);
+    const Nearness near = nearness(ways, distance, result.world.robotRadius);
     table.addRow({result.world.name, map.name, fixed(drops.height, 2),
                   std::to_string(eval::count(drops.edges)), percent(found),
                   judges ? judged(fixed(*target, 0) + " %", 100 * found >= *target) : "",
@@ -161,9 +161,9 @@ void addDrops(const Results& results, Report& report)
     addRamp(result, drops, ramps);
   }
   edges.note =
-      "Paths are those of the pairs above. A drop begins where the edge cell ends: distances are "
-      "taken to the squares of the cells beside that lie lower, over which the robot's disc must "
-      "not hang.";
+      "Paths are those of the pairs above. How near they come to a drop is taken where they are "
+      "above it, to the squares of the lower cells beside the edge, over which the robot's disc "
+      "must not hang.";
   ramps.note =
       "Inferred ground floats if it is more than " + fixed(kFloats, 1) + " m over the true floor.";
   report.addHeading("Drops");
