@@ -30,8 +30,9 @@ class RandomPlaces
   {
     const std::size_t cell = m_cells[m_random() % m_cells.size()];
     const auto width = static_cast<std::size_t>(m_frame.width);
-    return {(m_frame.x0 + static_cast<double>(cell % width) + 0.5) * m_frame.resolution,
-            (m_frame.y0 + static_cast<double>(cell / width) + 0.5) * m_frame.resolution};
+    const std::size_t column = cell % width, row = cell / width;
+    return {(m_frame.x0 + static_cast<double>(column) + 0.5) * m_frame.resolution,
+            (m_frame.y0 + static_cast<double>(row) + 0.5) * m_frame.resolution};
   }
 
  private:
