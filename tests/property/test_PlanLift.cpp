@@ -7,10 +7,12 @@
 #include <octomap/octomap.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "../oracle/PieceOracle.h"
 #include "RandomMap.h"
 
 namespace
@@ -22,11 +24,18 @@ using mrpt::math::TPoint2D;
 
 constexpr int kSide = 24, kTop = 30;  // voxels
 
-/** For each column the voxels up to which nothing was seen: patches and bands of some, from the
- * ground on or from a little over it. */
-std::vector<int> unseenPatches(Rng& rng, const std::vector<int>& floor)
+/** What was not seen of a column. */
+struct Unseen
 {
-  std::vector<int> end(kSide * kSide, -1);
+  int end = -1;       //!< nothing below this voxel was seen,
+  int butFor = kTop;  //!< but for this one, of something that stands there
+  bool has(int z) const { return z < end && z != butFor; }
+};
+
+/** Patches and bands of columns of which the ground and perhaps some more was not seen. */
+std::vector<Unseen> unseenPatches(Rng& rng, const std::vector<int>& floor)
+{
+  std::vector<Unseen> columns(kSide * kSide);
   for (int patch = pick(rng, 1, 8); patch > 0; --patch)
   {
     const bool alongX = chance(rng, 50);
@@ -34,13 +43,14 @@ std::vector<int> unseenPatches(Rng& rng, const std::vector<int>& floor)
     const int y = pick(rng, 0, kSide - 1);
     const int xEnd = std::min(kSide, x + pick(rng, 1, alongX ? kSide : 5));
     const int yEnd = std::min(kSide, y + pick(rng, 1, alongX ? 5 : kSide));
-    const int above = chance(rng, 60) ? 0 : pick(rng, -1, 5);
+    const int above = chance(rng, 60) ? 0 : pick(rng, -1, 7);
+    const int thing = chance(rng, 50) ? pick(rng, 1, 5) : kTop;
     for (int iy = y; iy < yEnd; ++iy)
       for (int ix = x; ix < xEnd; ++ix)
         if (const auto i = static_cast<std::size_t>(iy * kSide + ix); floor[i] < kTop)
-          end[i] = floor[i] + above;
+          columns[i] = {floor[i] + above, floor[i] + thing};
   }
-  return end;
+  return columns;
 }
 
 /** Floors in patches, each a little higher or lower than what it lies on, some walls and lintels;
@@ -63,14 +73,15 @@ void fillWithSteps(Rng& rng, bool unseen, octomap::OcTree& tree)
         else
           floor[i] = std::clamp(floor[i] + change, 0, kTop);
   }
-  const auto begin = unseen ? unseenPatches(rng, floor) : std::vector<int>(kSide * kSide, -1);
+  const auto notSeen = unseen ? unseenPatches(rng, floor) : std::vector<Unseen>(kSide * kSide);
   for (int iy = 0; iy < kSide; ++iy)
     for (int ix = 0; ix < kSide; ++ix)
-      for (int z = begin[static_cast<std::size_t>(iy * kSide + ix)]; z < kTop; ++z)
+      for (int z = -1; z < kTop; ++z)
       {
         const auto i = static_cast<std::size_t>(iy * kSide + ix);
-        tree.setNodeValue(oracle::octomapKey(ix, iy, z), z < floor[i] || z >= top[i] ? 3.5f : -2.0f,
-                          true);
+        if (notSeen[i].has(z)) continue;
+        const bool occupied = z < floor[i] || z >= top[i] || (z < notSeen[i].end);
+        tree.setNodeValue(oracle::octomapKey(ix, iy, z), occupied ? 3.5f : -2.0f, true);
       }
   tree.updateInnerOccupancy();
 }
@@ -94,10 +105,41 @@ std::vector<TPoint2D> flat(const path::LiftedPath& path)
   return points;
 }
 
+/** Cells over whose ground something occupied is in a ground robot's way, by all voxels; in the
+ * ground layer they are free. */
+std::vector<TPoint2D> obstaclesIn(const octomap::OcTree& tree, const freespace::Layers& layers,
+                                  const freespace::ConversionParams& conversion)
+{
+  const double res = tree.getResolution();
+  const oracle::DenseMap voxels = oracle::denseMap(tree);
+  const oracle::PieceOracle body(voxels, conversion, Robot::Ground, 0);
+  std::vector<TPoint2D> centres;
+  for (int iy = 0; iy < layers.frame().height; ++iy)
+    for (int ix = 0; ix < layers.frame().width; ++ix)
+    {
+      const mrpt::math::TPoint3D place((layers.frame().x0 + ix + 0.5) * res,
+                                       (layers.frame().y0 + iy + 0.5) * res,
+                                       static_cast<double>(layers.support.at(ix, iy)));
+      if (layers.ground.at(ix, iy) == grid::kFree && body.crossesOccupied(place, place))
+        centres.emplace_back(place.x, place.y);
+    }
+  return centres;
+}
+
+/** How far a place is from a cell's square; negative inside. */
+double distanceTo(const TPoint2D& centre, double res, const TPoint2D& place)
+{
+  const double dx = std::abs(place.x - centre.x) - res / 2;
+  const double dy = std::abs(place.y - centre.y) - res / 2;
+  if (std::max(dx, dy) < 0) return std::max(dx, dy);
+  return std::hypot(std::max(0.0, dx), std::max(0.0, dy));
+}
+
 /** Kinds of paths that came up. */
 struct Tally
 {
   int climbing = 0, flown = 0, inferred = 0;
+  int beside = 0;  //!< of ground robots on maps with things that the layer does not show
 };
 
 /** Plans on a random map, if there is a way, and lifts what was planned. */
@@ -146,6 +188,12 @@ void checkOnce(unsigned seed, freespace::FloorFrom floorFrom, Tally& tally)
   tally.climbing += ground && high - low > 1.5 * res;
   tally.flown += !ground;
   tally.inferred += lifted.inferredLength > 1.5 * res;
+  if (!ground || floorFrom != freespace::FloorFrom::Seen) return;
+  const auto obstacles = obstaclesIn(tree, layers, conversion);
+  tally.beside += !obstacles.empty();
+  for (const TPoint2D& place : flat(lifted))
+    for (const TPoint2D& cell : obstacles)
+      ASSERT_GE(distanceTo(cell, res, place), query.robotRadius - 1e-6 * res) << place << cell;
 }
 
 TEST(PlanLift, EveryPlannedPathIsAccepted)
@@ -166,6 +214,7 @@ TEST(PlanLift, EveryPathOverInferredGroundIsAccepted)
   EXPECT_GT(tally.climbing, 100);
   EXPECT_GT(tally.flown, 50);
   EXPECT_GT(tally.inferred, 100);
+  EXPECT_GT(tally.beside, 50);
 }
 
 }  // namespace

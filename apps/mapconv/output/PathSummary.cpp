@@ -53,8 +53,9 @@ std::string pathText(const path::LiftedPath& path)
                                   figures.lowest, figures.highest);
   text += "length       " + pathLengths(path) + "\n";
   if (path.inferredLength > 0)
-    text += mrpt::format("inferred     %.2f m of it in 2D lead over ground that was not seen but is inferred\n",
-                         path.inferredLength);
+    text += mrpt::format(
+        "inferred     %.2f m of it in 2D lead over ground that was not seen but is inferred\n",
+        path.inferredLength);
   text += mrpt::format("heights      %zu from the floor ahead and behind, %zu from the sphere\n",
                        figures.floorAhead, figures.sphere);
   return text;
