@@ -21,7 +21,8 @@ struct ExperimentJob
 /** Each runs one kind of experiment.
  * \exception std::exception in one line naming file, section and key, or what else failed @{ */
 /** The tables of Fredriksson et al. 2024: speed, sizes and quality of the free-space projection,
- * and paths on its maps. Sections: see config/experiments/freespace.ini. */
+ * and paths on its maps; and what floors that were seen make better, edges of drops among it.
+ * Sections: see config/experiments/freespace.ini. */
 void runFreespaceExperiment(const ExperimentJob& job, Report& report);
 
 /** Table I of Mora et al. 2024: 2D maps of 3D scans with the whole shape of objects and without

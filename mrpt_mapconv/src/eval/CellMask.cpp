@@ -32,6 +32,48 @@ CellMask cellsFrom(const Layer<float>& layer, float least)
   return mask;
 }
 
+CellMask freeCells(const Layer<float>& occupancy)
+{
+  CellMask mask(occupancy.frame(), 0);
+  for (std::size_t i = 0; i < mask.cells().size(); ++i)
+    mask.cells()[i] = grid::isFree(occupancy.cells()[i]);
+  return mask;
+}
+
+CellMask inside(const CellMask& mask, std::int32_t reach)
+{
+  const GridFrame& frame = mask.frame();
+  const CellMask all(frame, 1);
+  CellMask inner = without(all, around(without(all, mask), reach));
+  for (std::int32_t y = 0; y < frame.height; ++y)
+    for (std::int32_t x = 0; x < frame.width; ++x)
+      if (x < reach || y < reach || x >= frame.width - reach || y >= frame.height - reach)
+        inner.at(x, y) = 0;
+  return inner;
+}
+
+CellMask around(const CellMask& mask, std::int32_t reach)
+{
+  const GridFrame& frame = mask.frame();
+  CellMask near(frame, 0);
+  for (std::int32_t y = 0; y < frame.height; ++y)
+    for (std::int32_t x = 0; x < frame.width; ++x)
+    {
+      if (!mask.at(x, y)) continue;
+      const std::int32_t begin = std::max(x - reach, 0), end = std::min(x + reach + 1, frame.width);
+      for (std::int32_t ny = std::max(y - reach, 0); ny <= std::min(y + reach, frame.height - 1);
+           ++ny)
+        std::fill(near.row(ny) + begin, near.row(ny) + end, std::uint8_t{1});
+    }
+  return near;
+}
+
+std::size_t count(const CellMask& mask)
+{
+  const auto& cells = mask.cells();
+  return cells.size() - static_cast<std::size_t>(std::count(cells.begin(), cells.end(), 0));
+}
+
 CellMask cellsOf(const sim::World& world, const std::vector<std::string>& names,
                  const GridFrame& frame)
 {

@@ -75,8 +75,7 @@ LabelScore scoreLabels(const Layer<float>& map, const Layer<float>& truth, const
   const auto right = on(map.frame(), truth, grid::kUnknown);
   const auto asked = on(map.frame(), should, std::uint8_t{0});
   LabelScore score;
-  score.should = should.cells().size() - static_cast<std::size_t>(std::count(
-                                             should.cells().begin(), should.cells().end(), 0));
+  score.should = count(should);
   for (std::size_t i = 0; i < map.cells().size(); ++i)
   {
     const float cell = map.cells()[i];

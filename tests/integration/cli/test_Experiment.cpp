@@ -80,7 +80,7 @@ TEST(Experiment, FreespaceWritesTablesPlotsAndPictures)
   for (const char* part : {"Table II", "Table III", "paper 2.4", "<= 2", "RMSE", "start–goal"})
     EXPECT_TRUE(contains(report, part)) << part;
   for (const char* name :
-       {"updates.png", "updates_by_columns.png", "cave_ground.png", "outdoor_truth.png"})
+       {"updates.png", "updates_by_columns.png", "cave_ground_strict.png", "outdoor_truth.png"})
     EXPECT_EQ("\x89PNG", readBytes(dir.path(std::string("out/") + name)).substr(0, 4)) << name;
 
   const auto full = rowsOf(dir.path("out/table2_full.csv"));
@@ -89,11 +89,61 @@ TEST(Experiment, FreespaceWritesTablesPlotsAndPictures)
   const auto sizes = rowsOf(dir.path("out/table3_sizes.csv"));
   EXPECT_EQ(7u, sizes.size());
   const auto quality = rowsOf(dir.path("out/quality.csv"));
-  ASSERT_EQ(15u, quality.size());
+  ASSERT_EQ(17u, quality.size());
   // what the aerial map of either world calls free is free
   EXPECT_GT(std::stod(quality[1].at(3)), 97) << quality[1].at(0);
-  EXPECT_GT(std::stod(quality[8].at(3)), 97) << quality[8].at(0);
-  EXPECT_EQ(13u, rowsOf(dir.path("out/paths.csv")).size());
+  EXPECT_GT(std::stod(quality[9].at(3)), 97) << quality[9].at(0);
+  EXPECT_EQ(15u, rowsOf(dir.path("out/paths.csv")).size());
+  EXPECT_EQ(11u, rowsOf(dir.path("out/ground_cells.csv")).size());  // two maps in five worlds
+}
+
+TEST(Experiment, FreespaceComparesGroundThatWasSeen)
+{
+  const TempDir dir;
+  const std::vector<std::string> worlds = {"building", "drops", "drops_narrow"};
+  std::string ini = replaced(readBytes(kIni), "building cave outdoor", "building");
+  for (const char* file : {"building.ini", "drops.ini", "drops.ini"})
+    ini = replaced(ini, std::string("../worlds/") + file, kConfig + "worlds/" + file);
+  std::ofstream(dir.path("e.ini")) << ini;
+  ASSERT_EQ(0, mapconv({"experiment", dir.path("e.ini"), "-o", dir.path("out"), "--quick"}).status);
+  const auto cells = rowsOf(dir.path("out/ground_cells.csv"));
+  EXPECT_EQ(1 + 2 * worlds.size(), cells.size());
+  for (const std::string& world : worlds)
+  {
+    const Row strict = rowWith(cells, {world, "strict"}), seen = rowWith(cells, {world, "seen"});
+    EXPECT_LE(3 * number(seen, 7), number(strict, 7)) << "false obstacles away from all: " << world;
+    EXPECT_LE(number(seen, 7), number(seen, 6)) << world;
+    EXPECT_EQ(0, number(strict, 9)) << "frontier cells: " << world;
+    EXPECT_GT(number(seen, 9), number(seen, 10)) << world;
+    EXPECT_EQ("\x89PNG", readBytes(dir.path("out/" + world + "_ground_seen.png")).substr(0, 4));
+  }
+  EXPECT_EQ(1 + 2 * worlds.size(), rowsOf(dir.path("out/ground_pairs.csv")).size());
+  EXPECT_TRUE(contains(readBytes(dir.path("out/ground_targets.csv")), "at most a third: met"));
+
+  // one scenario, two lidars
+  const auto edges = rowsOf(dir.path("out/drop_edges.csv"));
+  ASSERT_EQ(5u, edges.size());
+  EXPECT_NE(rowWith(edges, {"drops", "seen"}).at(4),
+            rowWith(edges, {"drops_narrow", "seen"}).at(4));
+  EXPECT_EQ("0.30", edges[1].at(2));
+  const std::string ramp = readBytes(dir.path("out/drops_and_ramp.csv"));
+  EXPECT_TRUE(contains(ramp, "at most 30")) << ramp;
+}
+
+TEST(Experiment, FreespaceWorldsMayHaveTheirOwnStrictParameters)
+{
+  const TempDir dir;
+  const std::string world = "[a]\nfile = " + kConfig + "worlds/building.ini\n";
+  std::ofstream(dir.path("e.ini"))
+      << "[experiment]\nkind = freespace\nworlds = a b\n"
+      << "[strictConversion]\nfloorFrom = lowestFree\nmaxSlope = 0.5\nmaxStep = 0.2\n"
+      << world << replaced(world, "[a]", "[b]") << "maxStep = 1.5\nmaxSlope = 5\n";
+  ASSERT_EQ(0, mapconv({"experiment", dir.path("e.ini"), "-o", dir.path("out"), "--quick"}).status);
+  const auto cells = rowsOf(dir.path("out/ground_cells.csv"));
+  for (const std::string map : {"strict", "seen"})
+    EXPECT_LT(number(rowWith(cells, {"b", map}), 6), number(rowWith(cells, {"a", map}), 6)) << map;
+  EXPECT_FALSE(std::filesystem::exists(dir.path("out/quality.csv"))) << "no world of the paper";
+  EXPECT_FALSE(std::filesystem::exists(dir.path("out/drop_edges.csv"))) << "no world of drops";
 }
 
 TEST(Experiment, BadFilesAreNamed)
@@ -107,20 +157,40 @@ TEST(Experiment, BadFilesAreNamed)
   EXPECT_TRUE(contains(error("[experiment]\nkind = freespace\nworlds = a\n"), "'a'"));
   EXPECT_TRUE(contains(error("[experiment]\nkind = freespace\nworlds = a\npairs = -1\n[a]\n"),
                        "pairs = '-1'"));
-  EXPECT_TRUE(contains(error("[experiment]\nkind = freespace\nworlds = a\n[a]\nfile = none.ini\n"
-                             "paperSizes = 1 2 3\n"),
+  EXPECT_TRUE(contains(error("[experiment]\nkind = freespace\nworlds = a\n[a]\nfile = none.ini\n"),
                        "none.ini"));
   EXPECT_TRUE(contains(error("[experiment]\nkind = freespace\nworlds = a\n[a]\nfile = w.ini\n"
-                             "paperSizes = 1 2 3\ncolour = red\n"),
+                             "colour = red\n"),
                        "colour"));
-  const std::string world = "[a]\nfile = w.ini\npaperSizes = 1 2 3\n";
+  const std::string world = "[a]\nfile = w.ini\n";
   EXPECT_TRUE(contains(error("[experiment]\nkind = freespace\nworlds = a a\n" + world), "once"));
   EXPECT_TRUE(contains(
       error("[experiment]\nkind = freespace\nworlds = a\n" + world + "safetyRadius = 0.9\n"),
       "section 'a': safetyRadius = '0.9'"));
-  EXPECT_TRUE(contains(error("[experiment]\nkind = freespace\nworlds = a\n" + world +
-                             "[conversion]\nminClearance = -1\n"),
+  const std::string begin = "[experiment]\nkind = freespace\nworlds = a\n" + world;
+  EXPECT_TRUE(contains(error(begin + "[conversion]\nminClearance = -1\n"),
                        "section 'conversion': minClearance = -1"));
+  EXPECT_TRUE(contains(error(begin + "maxStep = -1\n"), "section 'a': maxStep = -1"));
+  EXPECT_TRUE(contains(error(begin + "floorFrom = seen\n"), "section 'a': floorFrom = 'seen'"));
+  EXPECT_TRUE(contains(error(begin + "[strictConversion]\nfloorFrom = seen\n"),
+                       "section 'strictConversion': floorFrom = 'seen'"));
+  EXPECT_TRUE(contains(error(begin + "paperSizes = 1 2\n"), "section 'a': paperSizes"));
+  EXPECT_TRUE(contains(error(begin + "ramp = r\n"), "section 'a': rampWay"));
+  const std::string drops = replaced(begin, "w.ini", kConfig + "worlds/drops.ini");
+  EXPECT_TRUE(contains(error(drops + "ramp = slide\nrampWay = 1 2 3 4\n"), "'slide'"));
+}
+
+TEST(Experiment, SensorsAreThoseOfTheWorld)
+{
+  const TempDir dir;
+  std::ofstream(dir.path("e.ini"))
+      << "[experiment]\nkind = freespace\nworlds = a\n[a]\nfile = " << kConfig
+      << "worlds/drops.ini\nsensors = wide\n";
+  const Outcome outcome = mapconv({"experiment", dir.path("e.ini"), "-o", dir.path("out")});
+  EXPECT_EQ(1, outcome.status);
+  EXPECT_TRUE(isOneError(outcome.err)) << outcome.err;
+  for (const char* part : {"drops.ini", "'wide'", "'narrow'"})
+    EXPECT_TRUE(contains(outcome.err, part)) << outcome.err;
 }
 
 TEST(Experiment, ScanShapeWritesTablesAndPictures)

@@ -76,6 +76,13 @@ TEST(UpperEdges, AreNotBesideWhatIsUnknown)
   EXPECT_TRUE(upperEdges(Layer<float>(), 0.3).cells().empty());
 }
 
+TEST(UpperEdges, HaveLowerOnesBesideThem)
+{
+  const auto floor = row({1.25f, 1.25f, 0, 0, kNone, 0, 0.3f});
+  EXPECT_EQ(eval::lowerEdges(floor, 0.3).cells(), (Cells{0, 0, 1, 0, 0, 0, 0}));
+  EXPECT_EQ(eval::lowerEdges(floor, 0.2).cells(), (Cells{0, 0, 1, 0, 0, 1, 0}));
+}
+
 TEST(UpperEdges, OfRandomFloorsAreThoseOfTheDefinition)
 {
   for (unsigned seed = 1; seed <= 50; ++seed)

@@ -11,6 +11,7 @@
 #include <mrpt_mapconv/voxel/VoxelInsertion.h>
 
 #include <limits>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -124,15 +125,17 @@ Exploration explore(const sim::Scenario& scenario, const FreespaceWorld& world,
   run.tree = std::make_unique<octomap::OcTree>(world.resolution);
   run.inView = grid::Layer<float>(sim::frameOf(scenario.world, world.resolution), 0);
   run.startHeight = sensorHeight(scenario);
-  FollowingMaps maps(*run.tree, settings.conversion, run.startHeight - world.sliceBelow,
-                     run.startHeight + world.sliceAbove);
+  std::optional<FollowingMaps> maps;
+  if (world.paper)
+    maps.emplace(*run.tree, settings.conversion, run.startHeight - world.sliceBelow,
+                 run.startHeight + world.sliceAbove);
   sim::Simulator simulator(scenario, kSeed);
   while (const auto moment = simulator.next())
   {
     progress.done(moment->seconds / scenario.trajectory.duration());
     sim::countReturns(*moment, run.inView);
     const auto changed = insertScans(*moment, run);
-    if (!changed.empty()) run.updates.push_back(maps.update(changed));
+    if (maps && !changed.empty()) run.updates.push_back(maps->update(changed));
     if (settings.maxScans > 0 && run.scans >= static_cast<std::size_t>(settings.maxScans)) break;
   }
   return run;

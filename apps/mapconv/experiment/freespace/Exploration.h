@@ -39,14 +39,14 @@ struct UpdateCost
 struct Exploration
 {
   std::unique_ptr<octomap::OcTree> tree;
-  std::vector<UpdateCost> updates;
+  std::vector<UpdateCost> updates;          //!< of a world for the paper's tables
   mrpt_mapconv::grid::Layer<float> inView;  //!< 3D returns per cell, without noise
   double startHeight = 0;                   //!< of the sensor when it began [m]
   std::size_t scans = 0, points = 0;
 };
 
-/** Simulates the scenario and times the updates, all of them on one thread; the methods take turns
- * in being first. Scans are inserted at the estimated poses. */
+/** Simulates the scenario and, for the paper's tables, times the updates, all of them on one
+ * thread; the methods take turns in being first. Scans are inserted at the estimated poses. */
 Exploration explore(const mrpt_mapconv::sim::Scenario& scenario, const FreespaceWorld& world,
                     const FreespaceSettings& settings, Progress& progress);
 

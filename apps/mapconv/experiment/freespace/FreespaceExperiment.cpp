@@ -1,5 +1,5 @@
 #include <mrpt/core/format.h>
-#include <mrpt_mapconv/freespace/LayerFiles.h>
+#include <mrpt_mapconv/freespace/DropEdges.h>
 #include <mrpt_mapconv/grid/LayerPicture.h>
 
 #include <stdexcept>
@@ -33,19 +33,33 @@ FreespaceResult resultOf(const FreespaceWorld& world, const FreespaceSettings& s
   FreespaceResult result;
   result.world = world;
   progress.stage("reading " + world.file);
-  result.scenario = std::make_shared<const sim::Scenario>(sim::Scenario::load(world.file));
+  result.scenario =
+      std::make_shared<const sim::Scenario>(sim::Scenario::load(world.file, world.sensors));
   checkNames(world.lowWalls, result.scenario->world, world, "lowWalls");
   checkNames(world.objects, result.scenario->world, world, "objects");
+  if (world.drops) checkNames({world.drops->ramp}, result.scenario->world, world, "ramp");
   progress.stage("exploring " + world.name);
   result.run = explore(*result.scenario, world, settings, progress);
   progress.stage("converting " + world.name);
   result.maps = makeMaps(result.run, *result.scenario, world, settings, progress);
+  progress.stage("paths of the ground robot in " + world.name);
+  result.groundRuns = planGroundPairs(world, result.scenario->world, *result.run.tree, result.maps,
+                                      settings.pairs, progress);
   return result;
+}
+
+void addGroundPicture(const std::string& world, const GroundMap& map, Report& report)
+{
+  const auto edges = freespace::dropEdges(map.layers, map.params);
+  const auto styled = map.layers.styled(edges);
+  grid::writeLayerPng(
+      report.addPicture(world + "_ground_" + map.name, world + ": ground robot, " + map.name),
+      grid::findLayer(styled, "ground"));
 }
 
 void addWorld(const FreespaceResult& result, Report& report)
 {
-  const auto& frame = result.maps.layers.frame();
+  const auto& frame = result.maps.ground.front().layers.frame();
   const std::string& name = result.world.name;
   report.addText(
       mrpt::format("**%s**: %zu scans, %.1f million points, %zu leaves of %.2f m, %zu x %zu m.",
@@ -55,13 +69,15 @@ void addWorld(const FreespaceResult& result, Report& report)
                    static_cast<std::size_t>(frame.height * frame.resolution)));
   constexpr auto kOccupancy = grid::LayerKind::Occupancy;
   const auto& maps = result.maps;
-  grid::writeLayerPng(
-      report.addPicture(name + "_ground", name + ": ground robot, free-space projection (strict)"),
-      maps.strict.styled("ground"));
-  grid::writeLayerPng(report.addPicture(name + "_floor", name + ": floor"),
-                      maps.layers.styled("floor"));
-  grid::writeLayerPng(report.addPicture(name + "_slice", name + ": fixed projection of the slice"),
-                      {"slice", &maps.slice, "Fixed projection of the slice", "", kOccupancy});
+  for (const GroundMap& map : maps.ground) addGroundPicture(name, map, report);
+  if (result.world.paper)
+  {
+    grid::writeLayerPng(report.addPicture(name + "_floor", name + ": floor"),
+                        maps.layers.styled("floor"));
+    grid::writeLayerPng(
+        report.addPicture(name + "_slice", name + ": fixed projection of the slice"),
+        {"slice", &maps.slice, "Fixed projection of the slice", "", kOccupancy});
+  }
   grid::writeLayerPng(
       report.addPicture(name + "_truth", name + ": the truth, ground robot"),
       {"truth", &maps.truth.ground, "Truth: where a ground robot can be", "", kOccupancy});
@@ -74,14 +90,27 @@ void runFreespaceExperiment(const ExperimentJob& job, Report& report)
   std::vector<FreespaceResult> results;
   for (const FreespaceWorld& world : settings.worlds)
     results.push_back(resultOf(world, settings, job.progress));
+  const Results all(results.begin(), results.end());
+  Results ofPaper, withDrops;
+  for (const FreespaceResult& result : all)
+  {
+    if (result.world.paper) ofPaper.emplace_back(result);
+    if (result.world.drops) withDrops.emplace_back(result);
+  }
   job.progress.stage("writing tables and plots");
-  addSpeed(results, report);
-  addSizes(results, report);
-  addQuality(results, report);
-  addPaths(results, settings, job.progress, report);
+  if (!ofPaper.empty())
+  {
+    addSpeed(ofPaper, report);
+    addSizes(ofPaper, report);
+    addQuality(ofPaper, report);
+    addPaths(ofPaper, settings, job.progress, report);
+  }
+  job.progress.stage("judging ground maps");
+  addGround(all, report);
+  if (!withDrops.empty()) addDrops(withDrops, report);
   job.progress.stage("drawing maps");
   report.addHeading("Maps");
-  for (const auto& result : results) addWorld(result, report);
+  for (const FreespaceResult& result : all) addWorld(result, report);
 }
 
 }  // namespace mapconv

@@ -23,17 +23,14 @@ grid::Layer<float> projectAllByLeaves(const octomap::OcTree& tree, const voxel::
   eval::projectByLeaves(tree, zMin, zMax, frame, layer);
   return layer;
 }
-}  // namespace
 
-FreespaceMaps makeMaps(const Exploration& run, const sim::Scenario& scenario,
-                       const FreespaceWorld& world, const FreespaceSettings& settings,
-                       Progress& progress)
+void makePaperMaps(const Exploration& run, const FreespaceWorld& world,
+                   const FreespaceSettings& settings, Progress& progress, FreespaceMaps& maps)
 {
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
   const double sliceMin = run.startHeight - world.sliceBelow;
   const double sliceMax = run.startHeight + world.sliceAbove;
   const voxel::OctreeSource<octomap::OcTree> source(*run.tree);
-  FreespaceMaps maps;
   grid::Layer<float> byLeaves;
   const PerMethod<std::function<void()>> methods = {
       [&] { maps.layers = freespace::convert(source, settings.conversion, 1); },
@@ -51,9 +48,27 @@ FreespaceMaps makeMaps(const Exploration& run, const sim::Scenario& scenario,
       maps.costs[method].push_back(1e3 * watch.lap());
     }
   }
-  maps.strict = freespace::convert(source, settings.strictConversion);
+}
+
+GroundMap groundMap(const std::string& name, const voxel::VoxelSource& source,
+                    freespace::ConversionParams params, freespace::FloorFrom floorFrom)
+{
+  params.floorFrom = floorFrom;
+  return {name, params, freespace::convert(source, params)};
+}
+}  // namespace
+
+FreespaceMaps makeMaps(const Exploration& run, const sim::Scenario& scenario,
+                       const FreespaceWorld& world, const FreespaceSettings& settings,
+                       Progress& progress)
+{
+  const voxel::OctreeSource<octomap::OcTree> source(*run.tree);
+  FreespaceMaps maps;
+  if (world.paper) makePaperMaps(run, world, settings, progress, maps);
+  maps.ground = {groundMap("strict", source, world.strict, freespace::FloorFrom::LowestFree),
+                 groundMap("seen", source, world.strict, freespace::FloorFrom::Seen)};
   maps.truth = sim::truthLayers(scenario.world, run.inView.frame(), scenario.truth);
-  maps.seen = eval::cellsFrom(run.inView, 1);
+  maps.inView = eval::cellsFrom(run.inView, 1);
   return maps;
 }
 

@@ -11,6 +11,7 @@
 namespace mapconv
 {
 using mrpt_mapconv::freespace::ConversionParams;
+using mrpt_mapconv::freespace::FloorFrom;
 using mrpt_mapconv::params::StrictSection;
 
 namespace
@@ -40,6 +41,42 @@ ConversionParams readConversion(const ExperimentJob& job, const std::string& nam
   return params;
 }
 
+/** Section [strictConversion], with the keys of a world's section in place of its own. */
+ConversionParams readStrict(const ExperimentJob& job, StrictSection& world)
+{
+  ConversionParams params = readConversion(job, "strictConversion");
+  mrpt_mapconv::params::readFields(world, params);
+  world.checked([&] { params.check(); });
+  for (const StrictSection& section : {StrictSection(job.ini, "strictConversion"), world})
+    if (section.has("floorFrom") && params.floorFrom != FloorFrom::LowestFree)
+      section.fail("floorFrom", "lowestFree, which the rows 'seen' are compared with");
+  return params;
+}
+
+PaperFigures readPaper(StrictSection& section)
+{
+  PaperFigures paper;
+  section.read("paperFullRatio", paper.fullRatio);
+  section.read("paperPartialRatio", paper.partialRatio);
+  section.read("paperSizes", paper.sizes);
+  if (paper.sizes.size() != 3) section.fail("paperSizes", "three percentages");
+  return paper;
+}
+
+DropsWorld readDrops(StrictSection& section)
+{
+  DropsWorld drops;
+  section.read("ramp", drops.ramp);
+  std::vector<double> way;
+  section.read("rampWay", way);
+  if (way.size() != 4) section.fail("rampWay", "x y of its start and x y of its goal [m]");
+  drops.from = {way[0], way[1]};
+  drops.to = {way[2], way[3]};
+  if (section.has("targetEdgesFound")) section.read("targetEdgesFound", drops.edgesFound.emplace());
+  if (section.has("targetFloating")) section.read("targetFloating", drops.floating.emplace());
+  return drops;
+}
+
 FreespaceWorld readWorld(const ExperimentJob& job, const std::string& name)
 {
   FreespaceWorld world;
@@ -49,6 +86,7 @@ FreespaceWorld readWorld(const ExperimentJob& job, const std::string& name)
                              "', but there is no such section");
   StrictSection section(job.ini, name);
   world.file = readFile(section, job);
+  world.sensors = readWords(section, "sensors");
   section.read("resolution", world.resolution);
   if (!(world.resolution > 0)) section.fail("resolution", "> 0 m");
   section.read("sliceBelow", world.sliceBelow);
@@ -60,10 +98,10 @@ FreespaceWorld readWorld(const ExperimentJob& job, const std::string& name)
   if (!(world.safetyRadius >= world.robotRadius)) section.fail("safetyRadius", ">= robotRadius");
   world.lowWalls = readWords(section, "lowWalls");
   world.objects = readWords(section, "objects");
-  section.read("paperFullRatio", world.paper.fullRatio);
-  section.read("paperPartialRatio", world.paper.partialRatio);
-  section.read("paperSizes", world.paper.sizes);
-  if (world.paper.sizes.size() != 3) section.fail("paperSizes", "three percentages");
+  world.strict = readStrict(job, section);
+  section.read("judged", world.isJudged);
+  if (section.has("ramp")) world.drops = readDrops(section);
+  if (section.has("paperSizes")) world.paper = readPaper(section);
   section.refuseUnknown("a world of this experiment");
   return world;
 }
@@ -84,7 +122,6 @@ FreespaceSettings readFreespaceSettings(const ExperimentJob& job)
   if (settings.maxScans < 0) section.fail("maxScans", ">= 0 (0: all)");
   section.refuseUnknown("this experiment");
   settings.conversion = readConversion(job, "conversion");
-  settings.strictConversion = readConversion(job, "strictConversion");
   for (const std::string& name : worlds)
   {
     if (std::count(worlds.begin(), worlds.end(), name) > 1)

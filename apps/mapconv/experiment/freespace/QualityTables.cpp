@@ -24,13 +24,17 @@ std::vector<Candidate> candidatesOf(const FreespaceMaps& maps)
 {
   const auto* aerial = &maps.truth.aerial;
   const auto* ground = &maps.truth.ground;
-  return {{"aerial", "free-space projection", &maps.layers.aerial, aerial},
-          {"aerial", "fixed: slice", &maps.slice, aerial},
-          {"aerial", "fixed: whole height", &maps.wholeHeight, aerial},
-          {"ground", "free-space projection (Table I)", &maps.layers.ground, ground},
-          {"ground", "free-space projection (strict)", &maps.strict.ground, ground},
-          {"ground", "fixed: slice", &maps.slice, ground},
-          {"ground", "fixed: whole height", &maps.wholeHeight, ground}};
+  std::vector<Candidate> candidates = {
+      {"aerial", "free-space projection", &maps.layers.aerial, aerial},
+      {"aerial", "fixed: slice", &maps.slice, aerial},
+      {"aerial", "fixed: whole height", &maps.wholeHeight, aerial},
+      {"ground", "free-space projection (Table I)", &maps.layers.ground, ground}};
+  for (const GroundMap& map : maps.ground)
+    candidates.push_back(
+        {"ground", "free-space projection (" + map.name + ")", &map.layers.ground, ground});
+  candidates.push_back({"ground", "fixed: slice", &maps.slice, ground});
+  candidates.push_back({"ground", "fixed: whole height", &maps.wholeHeight, ground});
+  return candidates;
 }
 
 /** Share of all truly free cells, seen or not, that the map has as free. */
@@ -45,7 +49,8 @@ double recallOf(const std::vector<std::string>& bodies, const Candidate& candida
                 const FreespaceResult& result)
 {
   const auto cells = eval::cellsOf(result.scenario->world, bodies, candidate.truth->frame());
-  return eval::scoreOccupancy(*candidate.map, *candidate.truth, eval::both(cells, result.maps.seen))
+  return eval::scoreOccupancy(*candidate.map, *candidate.truth,
+                              eval::both(cells, result.maps.inView))
       .occupied.recall();
 }
 
@@ -53,7 +58,7 @@ void addRows(const FreespaceResult& result, Table& table)
 {
   for (const Candidate& candidate : candidatesOf(result.maps))
   {
-    const auto score = eval::scoreOccupancy(*candidate.map, *candidate.truth, result.maps.seen);
+    const auto score = eval::scoreOccupancy(*candidate.map, *candidate.truth, result.maps.inView);
     const bool ground = candidate.robot == "ground";
     const auto bodies = [&](const auto& names)
     { return ground ? percent(recallOf(names, candidate, result)) : std::string("-"); };
@@ -85,10 +90,10 @@ void addErrors(const FreespaceResult& result, Table& table)
 {
   // the rim of a sphere has a true slope of any size: no window can follow that
   const auto& maps = result.maps;
-  const auto gentle = eval::both(maps.seen, cellsUpTo(maps.truth.slope, kJudgedSlope));
+  const auto gentle = eval::both(maps.inView, cellsUpTo(maps.truth.slope, kJudgedSlope));
   const auto add = [&](const char* layer, const auto& map, const auto& truth, bool metres)
   {
-    const auto& judged = metres ? maps.seen : gentle;
+    const auto& judged = metres ? maps.inView : gentle;
     auto errors = eval::errorsOf(map, truth, judged);
     const auto within = metres ? withinVoxel(errors, result.world.resolution) : std::string("-");
     for (double& error : errors) error = std::abs(error);
@@ -102,10 +107,10 @@ void addErrors(const FreespaceResult& result, Table& table)
 }
 
 /** What the worlds' truths ask for. */
-std::string truthText(const std::vector<FreespaceResult>& results)
+std::string truthText(const Results& results)
 {
   std::string text;
-  for (const auto& result : results)
+  for (const FreespaceResult& result : results)
   {
     const sim::TruthParams& truth = result.scenario->truth;
     text += "in " + result.world.name + " an aerial robot needs " + fixed(truth.minClearance, 2) +
@@ -117,7 +122,7 @@ std::string truthText(const std::vector<FreespaceResult>& results)
 }
 }  // namespace
 
-void addQuality(const std::vector<FreespaceResult>& results, Report& report)
+void addQuality(const Results& results, Report& report)
 {
   Table table{"quality",
               "Maps against the true world, in cells with a 3D return",
@@ -128,7 +133,7 @@ void addQuality(const std::vector<FreespaceResult>& results, Report& report)
                "Heights and slopes against the true world, in cells with a 3D return",
                {"world", "layer", "RMSE", "median error", "within a voxel", "cells"},
                {}};
-  for (const auto& result : results)
+  for (const FreespaceResult& result : results)
   {
     addRows(result, table);
     addErrors(result, errors);

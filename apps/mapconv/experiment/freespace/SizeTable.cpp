@@ -75,14 +75,14 @@ std::string paperShares(const std::vector<double>& sizes)
 }
 }  // namespace
 
-void addSizes(const std::vector<FreespaceResult>& results, Report& report)
+void addSizes(const Results& results, Report& report)
 {
   Table table{
       "table3_sizes",
       "Table III: sizes of 2D map / + floor / + floor and ceiling",
       {"world", "what", "size", "% of the octree in memory", "% of .ot", "% of .bt", "paper"},
       {}};
-  for (const auto& result : results)
+  for (const FreespaceResult& result : results)
   {
     const OctreeSizes tree = octreeSizes(*result.run.tree);
     table.addRow({result.world.name, "octree",
@@ -95,7 +95,7 @@ void addSizes(const std::vector<FreespaceResult>& results, Report& report)
                     megabytes(sizes.map) + " / " + megabytes(sizes.withFloor) + " / " +
                         megabytes(sizes.withBoth),
                     shares(sizes, tree.memory), shares(sizes, tree.ot), shares(sizes, tree.bt),
-                    paperShares(result.world.paper.sizes)});
+                    paperShares(result.world.paper->sizes)});
   }
   table.note =
       "The paper does not say in which form it took the octree; a 2D map's share depends on how "

@@ -38,10 +38,10 @@ std::string ratioText(double ours, double theirs, double paper)
   return paper > 0 ? text + " (paper " + fixed(paper, 1) + ")" : text;
 }
 
-/** Whether a target is met, for a table. */
-std::string judged(double value, double most)
+/** A target for a ratio, and whether it is met. */
+std::string ratioTarget(double value, double most)
 {
-  return "<= " + fixed(most, 0) + (value <= most ? ": met" : ": missed");
+  return judged("<= " + fixed(most, 0), value <= most);
 }
 
 /** The target of a full conversion: to be faster than a fixed projection of the whole height. */
@@ -49,22 +49,22 @@ std::string fullTarget(std::size_t method, double ratio)
 {
   const bool whole = method == static_cast<std::size_t>(Method::WholeHeight) ||
                      method == static_cast<std::size_t>(Method::WholeHeightByLeaves);
-  return whole ? judged(ratio, 1) : "";
+  return whole ? ratioTarget(ratio, 1) : "";
 }
 
-Table fullTable(const std::vector<FreespaceResult>& results)
+Table fullTable(const Results& results)
 {
   Table table{"table2_full",
               "Table II: conversion of the whole map, milliseconds, one thread",
               {"world", "method", "median", "mean", "worst", "free-space / this method", "target"},
               {}};
-  for (const auto& result : results)
+  for (const FreespaceResult& result : results)
   {
     const double ours = spreadOf(result.maps.costs[0]).median;
     for (std::size_t method = 0; method < kMethods; ++method)
     {
       const Spread spread = spreadOf(result.maps.costs[method]);
-      const double paper = isSlice(method) ? result.world.paper.fullRatio : 0;
+      const double paper = isSlice(method) ? result.world.paper->fullRatio : 0;
       table.addRow({result.world.name, kNames[method], fixed(spread.median, 2),
                     fixed(spread.mean, 2), fixed(spread.most, 2),
                     method == 0 ? "1" : ratioText(ours, spread.median, paper),
@@ -80,21 +80,21 @@ Table fullTable(const std::vector<FreespaceResult>& results)
   return table;
 }
 
-Table updateTable(const std::vector<FreespaceResult>& results)
+Table updateTable(const Results& results)
 {
   Table table{"table2_updates",
               "Table II: updates while the voxel map grows scan by scan, milliseconds, one thread",
               {"world", "method", "updates", "median", "mean", "quartiles", "worst",
                "free-space / this method"},
               {}};
-  for (const auto& result : results)
+  for (const FreespaceResult& result : results)
   {
     const double ours = spreadOf(updatesOf(result, 0)).median;
     for (std::size_t method = 0; method < kMethods; ++method)
     {
       const auto values = updatesOf(result, method);
       const Spread spread = spreadOf(values);
-      const double paper = isSlice(method) ? result.world.paper.partialRatio : 0;
+      const double paper = isSlice(method) ? result.world.paper->partialRatio : 0;
       table.addRow({result.world.name, kNames[method], std::to_string(values.size()),
                     fixed(spread.median, 2), fixed(spread.mean, 2),
                     fixed(spread.lowerQuartile, 2) + " to " + fixed(spread.upperQuartile, 2),
@@ -125,7 +125,7 @@ std::vector<double> costsPerColumn(const FreespaceResult& result)
   return costs;
 }
 
-Table columnTable(const std::vector<FreespaceResult>& results)
+Table columnTable(const Results& results)
 {
   Table table{"update_cost_per_column",
               "Cost of an update for each changed column, after a fixed millisecond [µs]",
@@ -133,7 +133,7 @@ Table columnTable(const std::vector<FreespaceResult>& results)
                "update per changed column: median", "quartiles", "median / full (all / known)",
                "target", "updates above it"},
               {}};
-  for (const auto& result : results)
+  for (const FreespaceResult& result : results)
   {
     const double full = 1e3 * spreadOf(result.maps.costs[0]).median;
     const double perColumn = full / static_cast<double>(result.maps.layers.frame().size());
@@ -149,7 +149,7 @@ Table columnTable(const std::vector<FreespaceResult>& results)
                   fixed(spreadOf(changed).median, 0), fixed(spread.median, 3),
                   fixed(spread.lowerQuartile, 3) + " to " + fixed(spread.upperQuartile, 3),
                   fixed(spread.median / perColumn, 2) + " / " + fixed(spread.median / perKnown, 2),
-                  judged(spread.median / perColumn, 2),
+                  ratioTarget(spread.median / perColumn, 2),
                   std::to_string(over) + " of " + std::to_string(costs.size())});
   }
   table.note =
@@ -159,13 +159,13 @@ Table columnTable(const std::vector<FreespaceResult>& results)
 }
 
 /** One line of gnuplot's data per update: changed columns, then the methods' milliseconds. */
-std::string updateData(const std::vector<FreespaceResult>& results)
+std::string updateData(const Results& results)
 {
   std::ostringstream data;
   for (std::size_t i = 0; i < results.size(); ++i)
   {
     data << "$w" << i << " << EOD\n";
-    for (const UpdateCost& cost : results[i].run.updates)
+    for (const UpdateCost& cost : results[i].get().run.updates)
     {
       data << cost.changedColumns;
       for (const double ms : cost.ms) data << ' ' << ms;
@@ -176,7 +176,7 @@ std::string updateData(const std::vector<FreespaceResult>& results)
   return data.str();
 }
 
-std::string boxPlot(const std::vector<FreespaceResult>& results)
+std::string boxPlot(const Results& results)
 {
   std::ostringstream script;
   script << updateData(results)
@@ -184,7 +184,7 @@ std::string boxPlot(const std::vector<FreespaceResult>& results)
          << "set logscale y\nset ylabel 'update [ms]'\nset grid ytics\nunset key\n"
          << "set pointsize 0.3\nset multiplot layout 1," << results.size() << "\n";
   for (std::size_t i = 0; i < results.size(); ++i)
-    script << "set title '" << results[i].world.name
+    script << "set title '" << results[i].get().world.name
            << "' noenhanced\nset xtics ('free-space' 1, 'slice' 2, 'whole' 3, 'slice, OctoMap' 4, "
               "'whole, "
               "OctoMap' 5) scale 0 rotate by -30\n"
@@ -197,7 +197,7 @@ std::string boxPlot(const std::vector<FreespaceResult>& results)
   return script.str();
 }
 
-std::string scatterPlot(const std::vector<FreespaceResult>& results)
+std::string scatterPlot(const Results& results)
 {
   std::ostringstream script;
   script << updateData(results)
@@ -206,7 +206,7 @@ std::string scatterPlot(const std::vector<FreespaceResult>& results)
          << "set multiplot layout 1," << results.size() << "\n";
   for (std::size_t i = 0; i < results.size(); ++i)
   {
-    script << "set title '" << results[i].world.name << "' noenhanced\nplot ";
+    script << "set title '" << results[i].get().world.name << "' noenhanced\nplot ";
     const PerMethod<const char*> titles = {"free-space", "slice", "whole", "slice (OctoMap)",
                                            "whole (OctoMap)"};
     const PerMethod<const char*> looks = {"7 lc rgb '#0072b2'", "7 lc rgb '#e69f00'",
@@ -222,7 +222,7 @@ std::string scatterPlot(const std::vector<FreespaceResult>& results)
 }
 }  // namespace
 
-void addSpeed(const std::vector<FreespaceResult>& results, Report& report)
+void addSpeed(const Results& results, Report& report)
 {
   report.addHeading("Speed");
   report.addTable(fullTable(results));

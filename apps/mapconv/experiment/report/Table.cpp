@@ -65,4 +65,9 @@ std::string percent(double share)
   return std::isfinite(share) ? mrpt::format("%.1f %%", 100 * share) : "-";
 }
 
+std::string judged(const std::string& target, bool met)
+{
+  return target + (met ? ": met" : ": missed");
+}
+
 }  // namespace mapconv

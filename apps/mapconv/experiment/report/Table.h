@@ -27,5 +27,7 @@ std::string csv(const Table& table);
 std::string fixed(double value, int decimals);
 /** A share as a percentage with one decimal, "93.4 %". */
 std::string percent(double share);
+/** A target and whether it is met, "at most 30: met". */
+std::string judged(const std::string& target, bool met);
 
 }  // namespace mapconv

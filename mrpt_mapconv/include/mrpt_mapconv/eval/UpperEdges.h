@@ -13,4 +13,8 @@ namespace mrpt_mapconv::eval
  * \exception std::invalid_argument unless it is finite and at least 0 m */
 CellMask upperEdges(const grid::Layer<float>& floor, double drop);
 
+/** The cells below drops: those whose floor is more than `drop` below that of one of the 8 cells
+ * around. Parameters and exceptions as for upperEdges(). */
+CellMask lowerEdges(const grid::Layer<float>& floor, double drop);
+
 }  // namespace mrpt_mapconv::eval
