@@ -32,7 +32,7 @@ Drops dropsOf(const FreespaceResult& result)
   const FreespaceWorld& world = result.world;
   const sim::World& bodies = result.scenario->world;
   const auto& truth = result.maps.truth;
-  const double height = (world.strict.supportStepVoxels(world.resolution) + 1) * world.resolution;
+  const double height = (world.strict.maxStepVoxels(world.resolution) + 1) * world.resolution;
   // what stands about has edges as well, but nobody drives up there
   auto standing = world.objects;
   standing.insert(standing.end(), world.lowWalls.begin(), world.lowWalls.end());

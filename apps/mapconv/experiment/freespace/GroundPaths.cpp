@@ -40,7 +40,7 @@ class GroundPlanner
                                        m_world.robotRadius)];
       return;
     }
-    const double step = map.params.supportStepVoxels(m_world.resolution) * m_world.resolution;
+    const double step = map.params.maxStepVoxels(m_world.resolution) * m_world.resolution;
     paths.leaveFree += leavesFree(way, m_truth);
     paths.touchWorld += touches(bodyAlong(way, m_bodies, step + m_world.robotRadius),
                                 m_world.robotRadius, m_bodies);
