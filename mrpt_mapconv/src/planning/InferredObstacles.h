@@ -9,9 +9,9 @@ namespace mrpt_mapconv::planning
 /** A ground robot's occupancy layer, in which also those free cells are occupied over whose
  * inferred ground a voxel map shows something in the robot's way, as path::PieceCheck takes it.
  *
- * The line between seen cells says where the ground of an open cell is, however high free space
- * begins there. What is known to be occupied below that, and above the line by more than a robot
- * climbs, does not show in the layer; nor does what hangs low over a line above the floor.
+ * The line between seen cells, which says where the ground of an open cell is, may lie above the
+ * cell's floor. What hangs low over it does then not show in the layer; nor, where steps are not
+ * looked for, does what stands on it no higher than a step.
  * \param layers, conversion, voxels as for planRobotPath() */
 grid::Layer<float> withInferredObstacles(const freespace::Layers& layers,
                                          const freespace::ConversionParams& conversion,
