@@ -174,26 +174,43 @@ void projectAll(benchmark::State& state, const Subject& map)
       [&] { map.walkLeavesInBox(); }, "ratio_to_leafs_bbx");
 }
 
-/** \param cold a full conversion before each update drives the columns' nodes out of the caches */
-void updatePart(benchmark::State& state, const Subject& map, bool inOneSquare, bool cold = false,
-                const freespace::ConversionParams& params = freespace::ConversionParams::paper())
+voxel::ColumnSet onePercent(const grid::GridFrame& frame, bool inOneSquare)
 {
-  freespace::IncrementalLayers layers(params, 1);
-  layers.rebuild(map.source);
-  const auto& frame = layers.layers().frame();
-  const auto changed = inOneSquare ? centredSquare(frame, 0.01) : scattered(frame, 0.01);
+  return inOneSquare ? centredSquare(frame, 0.01) : scattered(frame, 0.01);
+}
+
+/** Times updates of the same columns against full conversions.
+ * \param cold a full conversion before each update drives the columns' nodes out of the caches
+ * \param nextSource gives the voxel map of the next update */
+template <class NextSource>
+void compareUpdates(benchmark::State& state, const Subject& map, bool cold,
+                    const voxel::ColumnSet& changed, freespace::IncrementalLayers& layers,
+                    const NextSource& nextSource)
+{
   double best = std::numeric_limits<double>::max(), bestFull = best;
-  const auto full = [&] { freespace::convert(map.source, params, 1); };
+  const auto full = [&] { freespace::convert(map.source, layers.params(), 1); };
   for (int i = 0; i < 7; ++i) bestFull = std::min(bestFull, seconds(full));
   for (auto _ : state)
   {
     if (cold) full();
-    const double time = seconds([&] { layers.update(map.source, changed); });
+    const auto& source = nextSource();
+    const double time = seconds([&] { layers.update(source, changed); });
     best = std::min(best, time);
     state.SetIterationTime(time);
   }
   report(state, best, bestFull, "ratio_to_full");
   state.counters["columns"] = static_cast<double>(changed.size());
+}
+
+/** Updates that find nothing new. */
+void updatePart(benchmark::State& state, const Subject& map, bool inOneSquare, bool cold = false,
+                const freespace::ConversionParams& params = freespace::ConversionParams::paper())
+{
+  freespace::IncrementalLayers layers(params, 1);
+  layers.rebuild(map.source);
+  compareUpdates(
+      state, map, cold, onePercent(layers.layers().frame(), inOneSquare),
+      layers, [&]() -> const auto& { return map.source; });
 }
 
 /** A copy of a map in which the ground of some columns lies one voxel lower. */
@@ -218,25 +235,19 @@ std::unique_ptr<octomap::OcTree> withLowerGround(const octomap::OcTree& tree,
 
 /** Updates of which each finds other floors, and other cells to infer the ground of, than the one
  * before. */
-void updateChangedPart(benchmark::State& state, const Subject& map, bool inOneSquare)
+void updateChangedPart(benchmark::State& state, const Subject& map, bool inOneSquare,
+                       bool cold = false)
 {
-  const auto params = seenParams();
-  freespace::IncrementalLayers layers(params, 1);
+  freespace::IncrementalLayers layers(seenParams(), 1);
   layers.rebuild(map.source);
-  const auto frame = layers.layers().frame();
-  const auto changed = inOneSquare ? centredSquare(frame, 0.01) : scattered(frame, 0.01);
+  const auto changed = onePercent(layers.layers().frame(), inOneSquare);
   const Subject other(withLowerGround(*map.tree, layers.layers().floor, changed));
   bool toOther = false;
-  compare(
-      state,
-      [&]
-      {
+  compareUpdates(
+      state, map, cold, changed, layers, [&]() -> const auto& {
         toOther = !toOther;
-        layers.update(toOther ? other.source : map.source, changed);
-      },
-      [&] { benchmark::DoNotOptimize(freespace::convert(map.source, params, 1)); },
-      "ratio_to_full");
-  state.counters["columns"] = static_cast<double>(changed.size());
+        return toOther ? other.source : map.source;
+      });
 }
 
 void memoryOf(benchmark::State& state, const voxel::VoxelSource& source, int threads)
@@ -324,6 +335,8 @@ void registerAll(const std::string& map)
       [](auto& state, auto& m) { updatePart(state, m, false, false, seenParams()); });
   add("update_1_percent_seen/square_changed",
       [](auto& state, auto& m) { updateChangedPart(state, m, true); });
+  add("update_1_percent_seen/square_changed_cold",
+      [](auto& state, auto& m) { updateChangedPart(state, m, true, true); });
   add("update_1_percent_seen/scattered_changed",
       [](auto& state, auto& m) { updateChangedPart(state, m, false); });
   const auto addMemory = [&](const std::string& what, int threads)

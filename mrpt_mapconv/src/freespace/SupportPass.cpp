@@ -44,6 +44,17 @@ struct SupportPass::Offers
   Window window;                    //!< cells that may be written
   std::vector<std::int32_t> gapSq;  //!< of the line that a cell has its support from [cells²]
   std::vector<char> wanted;         //!< cells that are found anew; empty: all
+  std::int32_t wantedX0 = 0, wantedY0 = 0, wantedXEnd = 0, wantedYEnd = 0;  //!< they lie in here
+
+  void want(std::int32_t x, std::int32_t y)
+  {
+    const bool first = wantedX0 == wantedXEnd;
+    wantedX0 = first ? x : std::min(wantedX0, x);
+    wantedY0 = first ? y : std::min(wantedY0, y);
+    wantedXEnd = first ? x + 1 : std::max(wantedXEnd, x + 1);
+    wantedYEnd = first ? y + 1 : std::max(wantedYEnd, y + 1);
+    wanted[window.index(x, y)] = 1;
+  }
 };
 
 SupportRules::SupportRules(const ConversionParams& params, double resolution)
@@ -192,7 +203,7 @@ void SupportPass::markAround(std::int32_t ix, std::int32_t iy, Offers& offers) c
   const auto mark = [&](std::int32_t x, std::int32_t y)
   {
     if (!offers.window.contains(x, y) || !isOpen(m_layers.evidence.at(x, y))) return false;
-    offers.wanted[offers.window.index(x, y)] = 1;
+    offers.want(x, y);
     return true;
   };
   const auto isBetween = [&](std::int32_t x, std::int32_t y)
@@ -215,15 +226,17 @@ voxel::ColumnSet SupportPass::findAround(const voxel::ColumnSet& changed)
 {
   voxel::ColumnSet different = changed;
   const grid::GridFrame& frame = m_layers.frame();
-  const auto windowAround = [&](const grid::GridFrame& box, std::int32_t margin)
+  const auto withinReach =
+      [&](std::int32_t x0, std::int32_t y0, std::int32_t xEnd, std::int32_t yEnd)
   {
-    const std::int32_t x0 = std::max(0, box.x0 - frame.x0 - margin),
-                       y0 = std::max(0, box.y0 - frame.y0 - margin);
-    return Window{x0, y0, std::min(frame.width, box.xEnd() - frame.x0 + margin) - x0,
-                  std::min(frame.height, box.yEnd() - frame.y0 + margin) - y0};
+    const std::int32_t fromX = std::max(0, x0 - m_rules.reach),
+                       fromY = std::max(0, y0 - m_rules.reach);
+    return Window{fromX, fromY, std::min(frame.width, xEnd + m_rules.reach) - fromX,
+                  std::min(frame.height, yEnd + m_rules.reach) - fromY};
   };
   const grid::GridFrame box = changed.bounds(frame.resolution);
-  Offers offers(windowAround(box, m_rules.reach));
+  Offers offers(withinReach(box.x0 - frame.x0, box.y0 - frame.y0, box.xEnd() - frame.x0,
+                            box.yEnd() - frame.y0));
   offers.wanted.assign(offers.gapSq.size(), 0);
   changed.forEach([&](std::int32_t kx, std::int32_t ky)
                   { markAround(kx - frame.x0, ky - frame.y0, offers); });
@@ -234,18 +247,18 @@ voxel::ColumnSet SupportPass::findAround(const voxel::ColumnSet& changed)
     float support;
   };
   std::vector<Before> before;
-  const Window& w = offers.window;
-  for (std::int32_t y = w.y0; y < w.y0 + w.height; ++y)
-    for (std::int32_t x = w.x0; x < w.x0 + w.width; ++x)
+  for (std::int32_t y = offers.wantedY0; y < offers.wantedYEnd; ++y)
+    for (std::int32_t x = offers.wantedX0; x < offers.wantedXEnd; ++x)
     {
-      if (!offers.wanted[w.index(x, y)]) continue;
+      if (!offers.wanted[offers.window.index(x, y)]) continue;
       float &support = m_layers.support.at(x, y), &known = m_layers.evidence.at(x, y);
       before.push_back({x, y, support});
       support = Layers::kNone;
       known = evidence::kOpen;
     }
   if (before.empty()) return different;
-  sweep(windowAround(box, 2 * m_rules.reach), offers);
+  sweep(withinReach(offers.wantedX0, offers.wantedY0, offers.wantedXEnd, offers.wantedYEnd),
+        offers);
   for (const Before& b : before)
   {
     const float support = m_layers.support.at(b.x, b.y);
