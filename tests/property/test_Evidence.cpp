@@ -1,5 +1,5 @@
-// Floors with evidence: the library against its brute-force twin, on random maps made for it and on
-// real ones, and against itself on turned and mirrored maps.
+// Floors with evidence: the library against its brute-force twin, on random maps made for it, and
+// against itself on turned and mirrored maps.
 #include <gtest/gtest.h>
 #include <mrpt_mapconv/freespace/Conversion.h>
 #include <mrpt_mapconv/voxel/OctreeSource.h>
@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <iterator>
 #include <string>
 #include <utility>
@@ -205,62 +204,5 @@ TEST(Evidence, TurnedAndMirroredMapsGiveTurnedAndMirroredLayers)
     }
   }
 }
-
-// ---- real maps
-
-void expectAgreesOn(const DenseMap& map, const voxel::VoxelSource& source, std::size_t inferred)
-{
-  for (const double maxStep : {0.0, 0.16, 0.35})
-    for (const double maxGap : {6.0, 2.0})
-    {
-      auto params = ConversionParams::paper();
-      params.floorFrom = freespace::FloorFrom::Seen;
-      params.maxStep = maxStep;
-      params.maxGap = maxGap;
-      if (maxGap < 3) params.minClearance = params.maxHiddenGap = 0.6;
-      SCOPED_TRACE(text(params));
-      const oracle::DenseResult expected = oracle::convert(map, params);
-      EXPECT_GE(oracle::statistics(expected).inferred, inferred);
-      const Layers layers = freespace::convert(source, params, 2);
-      EXPECT_TRUE(agreesWithOracle(layers, map, expected));
-      EXPECT_TRUE(countsAgree(freespace::statistics(layers), expected));
-      EXPECT_TRUE(sameBits(layers, freespace::convert(source, params, 1)));
-    }
-}
-
-/** Takes away the ground, but not what is free above it, in some places. */
-void unsee(Rng& rng, DenseMap& map)
-{
-  for (int i = 0; i < 60; ++i)
-  {
-    const int x = pick(rng, 0, map.nx - 1), y = pick(rng, 0, map.ny - 1);
-    const int xEnd = std::min(map.nx, x + pick(rng, 1, 25));
-    const int yEnd = std::min(map.ny, y + pick(rng, 1, 10));
-    for (int iy = y; iy < yEnd; ++iy)
-      for (int ix = x; ix < xEnd; ++ix)
-        for (int iz = 1; iz < map.nz; ++iz)
-          if (map.at(ix, iy, iz) == oracle::Voxel::Free &&
-              map.at(ix, iy, iz - 1) == oracle::Voxel::Occupied)
-            map.at(ix, iy, iz - 1) = oracle::Voxel::Unknown;
-  }
-}
-
-void expectAgreesOn(const std::string& name, std::size_t inferred)
-{
-  const std::filesystem::path file = std::filesystem::path(MRPT_MAPCONV_SHARED_DIR) / name;
-  if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not there";
-  octomap::OcTree tree(0.1);
-  ASSERT_TRUE(tree.readBinary(file.string()));
-  DenseMap map = oracle::denseMap(tree);
-  expectAgreesOn(map, voxel::OctreeSource<octomap::OcTree>(tree), inferred);
-  Rng rng(1);
-  unsee(rng, map);
-  map = trimmed(map);
-  expectAgreesOn(map, DenseSource(map), 100);
-}
-
-TEST(EvidenceOfRealData, AgreesWithTheOracleOnGeb079) { expectAgreesOn("geb079.bt", 1000); }
-TEST(EvidenceOfRealData, AgreesWithTheOracleOnTheCliff) { expectAgreesOn("reports/cliff.bt", 100); }
-TEST(EvidenceOfRealData, AgreesWithTheOracleOnTheFence) { expectAgreesOn("reports/fence09.bt", 0); }
 
 }  // namespace
