@@ -1,5 +1,6 @@
 #include <mrpt_mapconv/files/FileIo.h>
 #include <mrpt_mapconv/files/OutputDir.h>
+#include <mrpt_mapconv/freespace/DropEdges.h>
 #include <mrpt_mapconv/grid/LayerPicture.h>
 #include <mrpt_mapconv/params/Text.h>
 #include <mrpt_mapconv/planning/Remedies.h>
@@ -45,14 +46,14 @@ void writeOutputs(const PlanOptions& options, const MapFolder& map, const planni
 {
   const std::filesystem::path file = options.outputFile;
   const std::string stem = file.stem().string();
-  const bool ground = options.robot == "ground";
-  auto picture = map.layers().styled(ground ? "ground" : "aerial");
+  const auto edges = freespace::dropEdges(map.layers(), map.params());
+  auto picture = grid::findLayer(map.layers().styled(edges), options.robot);
   picture.title = "Path of the " + options.robot + " robot";
   const grid::PicturePath path{flat(way.path),
                                "path, " + pathLengths(way.path) + ", from the ring to the disc"};
   files::writeFile(out.path(file.filename().string()), pathCsv(way.path));
   grid::writeLayerPng(out.path(stem + ".png"), picture, path);
-  writePathScene(out.path(stem + ".3Dscene"), map.layers(), map.octree(), way.path);
+  writePathScene(out.path(stem + ".3Dscene"), map.layers(), picture, map.octree(), way.path);
 }
 
 /** What would have to change so that there is a path; empty if nothing does. */

@@ -88,7 +88,8 @@ void insertPath(mrpt::opengl::COpenGLScene& scene, const path::LiftedPath& path,
 }  // namespace
 
 void writePathScene(const std::string& file, const freespace::Layers& layers,
-                    const octomap::AbstractOcTree* octree, const path::LiftedPath& path)
+                    const grid::StyledLayer& occupancy, const octomap::AbstractOcTree* octree,
+                    const path::LiftedPath& path)
 {
   double highest = path.points.front().position.z;
   for (const auto& point : path.points) highest = std::max(highest, point.position.z);
@@ -101,7 +102,11 @@ void writePathScene(const std::string& file, const freespace::Layers& layers,
   else
   {
     auto objects = mrpt::opengl::CSetOfObjects::Create();
-    freespace::drawFreeSpace(layers, {}, *objects);
+    const bool ground = occupancy.freeFor != nullptr;  // of a layer for ground robots
+    if (ground)
+      freespace::drawGround(layers, {}, occupancy, *objects);
+    else
+      freespace::drawFreeSpace(layers, {}, *objects);
     scene.insert(objects);
   }
   insertPath(scene, path, layers.frame().resolution);
