@@ -250,14 +250,15 @@ void updateChangedPart(benchmark::State& state, const Subject& map, bool inOneSq
       });
 }
 
-void memoryOf(benchmark::State& state, const voxel::VoxelSource& source, int threads)
+void memoryOf(benchmark::State& state, const voxel::VoxelSource& source, int threads,
+              const freespace::ConversionParams& params = freespace::ConversionParams::paper())
 {
   double extra = 0, layersSize = 0;
   for (auto _ : state)
   {
     const std::size_t before = allocated;
     peak = before;
-    const auto layers = freespace::convert(source, freespace::ConversionParams::paper(), threads);
+    const auto layers = freespace::convert(source, params, threads);
     layersSize = 7.0 * sizeof(float) * static_cast<double>(layers.frame().size());
     extra = static_cast<double>(peak - before) - layersSize;
   }

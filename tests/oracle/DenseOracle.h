@@ -38,7 +38,8 @@ struct Cell
   long double slope = 0;      //!< [m/m]
   bool slopeTooHigh = false;  //!< slope > maxSlope
   bool slopeTie = false;      //!< so close to maxSlope that rounding in double may decide otherwise
-  std::optional<int> occupiedTopUnderFloor;  //!< z key of the top face of the highest one
+  std::optional<int> occupiedTopUnderFloor;     //!< z key of the top face of the highest one
+  std::optional<int> occupiedBottomAboveFloor;  //!< z key of the bottom face of the lowest one
   bool isStep = false;  //!< maxStep is on and the floor differs by more from a neighbour's
   bool isDrop = false;  //!< likewise, and it goes down beside it
 

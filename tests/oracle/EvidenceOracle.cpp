@@ -99,14 +99,30 @@ struct Rules
 };
 
 /** (d): of all open cells that the line leads over, the one that it is asked for, too. */
-bool leadsOverADeepCell(const DenseResult& cells, const Line& line)
+bool leadsOverADeepCell(const DenseResult& cells, const Line& line, const Rules& rules)
 {
   for (int t = 1; t < line.gap; ++t)
   {
     const Cell& cell = cells.at(line.x + t * line.step.dx, line.y + t * line.step.dy);
-    if (isOpen(cell) && Length{cell.floorKey} * line.gap < line.at(t) - 2 * line.gap) return true;
+    if (isOpen(cell) &&
+        Length{cell.floorKey} * line.gap < line.at(t) - Length{std::max(rules.h, 2)} * line.gap)
+      return true;
   }
   return false;
+}
+
+/** (e): something known stands on the line, or hangs over it too low.
+ * \param height of the line, in parts of which `one` make a voxel */
+bool isInTheWay(const Cell& cell, Length height, Length one, const Rules& rules)
+{
+  const double step = maxStepOf(rules.params, rules.resolution);
+  const int drivenOver = step > 0 ? rules.h : 1;
+  int needed = 1;
+  while (needed < rules.params.minClearance / rules.resolution - 1e-6) ++needed;
+  const std::optional<int>&top = cell.occupiedTopUnderFloor,
+        &bottom = cell.occupiedBottomAboveFloor;
+  return (top && *top * one > height + drivenOver * one) ||
+         (bottom && *bottom * one < height + needed * one);
 }
 
 /** Whether the line counts for the cell that it meets after t steps. */
@@ -123,11 +139,9 @@ bool counts(const DenseResult& cells, const Line& line, int t, const Rules& rule
   const bool a = std::abs(line.begin - line.end) <= rules.h;
   const bool b = height <= floor + (shortGap ? std::max(rules.h, 1) : 1) * one;
   const bool nothingHides = floor <= height + rules.h * one;
-  const bool c = nothingHides ? gapWithin(rules.params.maxGap) : shortGap;
-  const bool d = !leadsOverADeepCell(cells, line);
-  const std::optional<int>& top = here.occupiedTopUnderFloor;
-  const bool e = !top || *top * one <= height + rules.h * one;
-  return a && b && c && d && e;
+  const bool c = gapWithin(rules.params.maxGap) && (nothingHides || shortGap);
+  const bool d = !leadsOverADeepCell(cells, line, rules);
+  return a && b && c && d && !isInTheWay(here, height, one, rules);
 }
 
 void setSupport(double resolution, std::int64_t support64, Cell& cell)
@@ -238,6 +252,8 @@ void markEvidence(const DenseMap& map, DenseResult& result)
       const int under = cell.floorKey - 1 - map.z0;
       for (int iz = 0; cell.free && iz <= under; ++iz)
         if (map.at(ix, iy, iz) == Voxel::Occupied) cell.occupiedTopUnderFloor = map.z0 + iz + 1;
+      for (int iz = map.nz - 1; cell.free && iz > under; --iz)
+        if (map.at(ix, iy, iz) == Voxel::Occupied) cell.occupiedBottomAboveFloor = map.z0 + iz;
       const bool seen = cell.free && under >= 0 && map.at(ix, iy, under) == Voxel::Occupied;
       cell.evidence = seen          ? Evidence::Seen
                       : cell.free   ? Evidence::Open

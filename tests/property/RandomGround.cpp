@@ -164,7 +164,7 @@ freespace::ConversionParams randomGroundParams(Rng& rng, double resolution)
   if (chance(rng, 15)) params.maxStep.reset();
   params.maxGap = chance(rng, 40) ? 6 : randomLength(rng, resolution);
   const double hidden = chance(rng, 40) ? 1 : randomLength(rng, resolution);
-  params.maxHiddenGap = std::min(params.maxGap, hidden);
+  params.maxHiddenGap = hidden;
   if (chance(rng, 15)) params.reading.unknown = voxel::Unknown::Free;
   return params;
 }

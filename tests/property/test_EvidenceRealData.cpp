@@ -77,8 +77,8 @@ TEST(EvidenceOfRealData, AgreesWithTheOracleOnTheFence) { expectAgreesOn("report
 
 TEST(EvidenceOfRealData, AgreesWithTheOracleOnCasoplon) { expectAgreesOn("real/casoplon.bt", 50); }
 
-/** Free inferred cells with an occupied voxel more than a step over their ground, under their free
- * space: by all voxels. */
+/** Free inferred cells with an occupied voxel more than a step and less than minClearance over their
+ * ground: by all voxels. */
 int blockedCells(const DenseMap& map, const Layers& layers, const ConversionParams& params)
 {
   const double step = params.maxStepVoxels(map.resolution) * map.resolution;
@@ -91,9 +91,9 @@ int blockedCells(const DenseMap& map, const Layers& layers, const ConversionPara
       for (int iz = 0; iz < map.nz; ++iz)
       {
         const double top = (map.z0 + iz + 1) * map.resolution;
-        stands |= map.at(ix, iy, iz) == oracle::Voxel::Occupied &&
-                  top > static_cast<double>(layers.support.at(ix, iy)) + step + 1e-5 &&
-                  top < static_cast<double>(layers.floor.at(ix, iy)) + 1e-5;
+        const auto ground = static_cast<double>(layers.support.at(ix, iy));
+        stands |= map.at(ix, iy, iz) == oracle::Voxel::Occupied && top > ground + step + 1e-5 &&
+                  top - map.resolution < ground + params.minClearance - 1e-5;
       }
       blocked += stands;
     }
@@ -108,9 +108,14 @@ TEST(EvidenceOfRealData, NothingIsKnownToStandOnGroundThatIsInferred)
     if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not there";
     octomap::OcTree tree(0.1);
     ASSERT_TRUE(tree.readBinary(file.string()));
-    const ConversionParams params;
-    const Layers layers = freespace::convert(voxel::OctreeSource<octomap::OcTree>(tree), params, 1);
-    EXPECT_EQ(blockedCells(oracle::denseMap(tree), layers, params), 0) << name;
+    for (const double minClearance : {0.5, 1.0, 1.5})
+    {
+      ConversionParams params;
+      params.minClearance = minClearance;
+      const Layers layers =
+          freespace::convert(voxel::OctreeSource<octomap::OcTree>(tree), params, 1);
+      EXPECT_EQ(blockedCells(oracle::denseMap(tree), layers, params), 0) << name << minClearance;
+    }
   }
 }
 

@@ -30,7 +30,7 @@ freespace::ConversionParams randomParams(Rng& rng, double res)
   if (chance(rng, 30)) params.reading.unknown = voxel::Unknown::Free;
   if (chance(rng, 50)) params.floorFrom = freespace::FloorFrom::Seen;
   params.maxGap = pick(rng, 0, 30) * res;
-  params.maxHiddenGap = std::min(params.maxGap, pick(rng, 0, 10) * res);
+  params.maxHiddenGap = pick(rng, 0, 10) * res;
   return params;
 }
 

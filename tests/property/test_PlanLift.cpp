@@ -105,8 +105,8 @@ std::vector<TPoint2D> flat(const path::LiftedPath& path)
   return points;
 }
 
-/** Cells over whose ground something occupied is in a ground robot's way, by all voxels; in the
- * ground layer they are free. */
+/** Free cells of the ground layer over whose ground something occupied is in a ground robot's way,
+ * by all voxels: there must be none. */
 std::vector<TPoint2D> obstaclesIn(const octomap::OcTree& tree, const freespace::Layers& layers,
                                   const freespace::ConversionParams& conversion)
 {
@@ -126,20 +126,10 @@ std::vector<TPoint2D> obstaclesIn(const octomap::OcTree& tree, const freespace::
   return centres;
 }
 
-/** How far a place is from a cell's square; negative inside. */
-double distanceTo(const TPoint2D& centre, double res, const TPoint2D& place)
-{
-  const double dx = std::abs(place.x - centre.x) - res / 2;
-  const double dy = std::abs(place.y - centre.y) - res / 2;
-  if (std::max(dx, dy) < 0) return std::max(dx, dy);
-  return std::hypot(std::max(0.0, dx), std::max(0.0, dy));
-}
-
 /** Kinds of paths that came up. */
 struct Tally
 {
   int climbing = 0, flown = 0, inferred = 0;
-  int beside = 0;  //!< of ground robots on maps with things that the layer does not show
 };
 
 /** Plans on a random map, if there is a way, and lifts what was planned. */
@@ -189,11 +179,7 @@ void checkOnce(unsigned seed, freespace::FloorFrom floorFrom, Tally& tally)
   tally.flown += !ground;
   tally.inferred += lifted.inferredLength > 1.5 * res;
   if (!ground || floorFrom != freespace::FloorFrom::Seen) return;
-  const auto obstacles = obstaclesIn(tree, layers, conversion);
-  tally.beside += !obstacles.empty();
-  for (const TPoint2D& place : flat(lifted))
-    for (const TPoint2D& cell : obstacles)
-      ASSERT_GE(distanceTo(cell, res, place), query.robotRadius - 1e-6 * res) << place << cell;
+  ASSERT_TRUE(obstaclesIn(tree, layers, conversion).empty());
 }
 
 TEST(PlanLift, EveryPlannedPathIsAccepted)
@@ -214,7 +200,6 @@ TEST(PlanLift, EveryPathOverInferredGroundIsAccepted)
   EXPECT_GT(tally.climbing, 100);
   EXPECT_GT(tally.flown, 50);
   EXPECT_GT(tally.inferred, 100);
-  EXPECT_GT(tally.beside, 15);
 }
 
 }  // namespace

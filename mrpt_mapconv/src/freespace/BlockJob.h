@@ -1,6 +1,6 @@
 #pragma once
 
-#include <mrpt_mapconv/freespace/HiddenTops.h>
+#include <mrpt_mapconv/freespace/OpenColumns.h>
 #include <mrpt_mapconv/grid/GridFrame.h>
 #include <mrpt_mapconv/voxel/ColumnSet.h>
 
@@ -19,10 +19,11 @@ struct BlockJob
   voxel::ColumnMask changed{};  //!< columns whose voxels may have changed: to be read
   voxel::ColumnMask reach{};  //!< columns whose layers may depend on those, here or in other blocks
 
-  voxel::ColumnMask newGround{};   //!< of `changed`: the floor, its evidence or hidden top differs
+  voxel::ColumnMask
+      newGround{};  //!< of `changed`: the floor, its evidence or what is near it differs
   voxel::ColumnMask newSpan{};     //!< of `changed`: floor or ceiling differs
   voxel::ColumnMask newAerial{};   //!< of `reach`: the aerial occupancy differs
-  std::vector<HiddenTop> hidden;   //!< of open columns in `changed`, column by column
+  std::vector<OpenColumn> open;    //!< of `changed`, those in which something is, in their order
   std::vector<OccupiedRun> walls;  //!< occupied runs of columns that are not free but may touch a
                                    //!< free one; column by column
 };

@@ -115,6 +115,24 @@ std::optional<std::int32_t> occupiedTopBelow(const voxel::ColumnBlock& block, st
   return std::nullopt;
 }
 
+std::optional<std::int32_t> occupiedBottomWithin(const voxel::ColumnBlock& block,
+                                                 std::int32_t column, std::int32_t begin,
+                                                 std::int32_t end)
+{
+  const std::uint64_t* plane = block.occupiedPlane() + column;
+  const std::int32_t first = std::max(begin - block.zMin(), 0);
+  const std::int32_t last = std::min(end - block.zMin(), 64 * block.words());
+  for (std::int32_t w = first / 64; 64 * w < last; ++w)
+  {
+    std::uint64_t word = plane[w * kBlockColumns];
+    if (w == first / 64) word &= ~std::uint64_t{0} << (first % 64);
+    if (!word) continue;
+    const std::int32_t bit = 64 * w + __builtin_ctzll(word);
+    return bit < last ? std::optional(block.zMin() + bit) : std::nullopt;
+  }
+  return std::nullopt;
+}
+
 std::uint32_t columnsWithOccupied(const voxel::ColumnBlock& block, std::int32_t y)
 {
   return columnsWithBits(block.occupiedPlane(), block.words(), y);

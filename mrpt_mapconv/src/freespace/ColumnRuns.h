@@ -54,6 +54,10 @@ inline bool isOccupied(const voxel::ColumnBlock& block, std::int32_t column, std
 /** z key of the top face of a column's highest occupied voxel below z. */
 std::optional<std::int32_t> occupiedTopBelow(const voxel::ColumnBlock& block, std::int32_t column,
                                              std::int32_t z);
+/** z key of the bottom face of a column's lowest occupied voxel in [begin, end). */
+std::optional<std::int32_t> occupiedBottomWithin(const voxel::ColumnBlock& block,
+                                                 std::int32_t column, std::int32_t begin,
+                                                 std::int32_t end);
 /** The columns of row y of the block with an occupied voxel. */
 std::uint32_t columnsWithOccupied(const voxel::ColumnBlock& block, std::int32_t y);
 

@@ -16,7 +16,7 @@ namespace mrpt_mapconv::freespace
 {
 namespace
 {
-/** 8 GB of layers; a stray voxel far away should be an error and not fill the memory. */
+/** 11 GB of layers; a stray voxel far away should be an error and not fill the memory. */
 constexpr std::size_t kMaxCells = 400'000'000;
 
 std::optional<grid::GridFrame> knownFrame(const voxel::VoxelSource& source)
@@ -106,7 +106,7 @@ struct Differences
  */
 Differences convertColumns(const voxel::VoxelSource& source, const voxel::ColumnSet& changed,
                            const voxel::ColumnSet& reach, const ConversionParams& params,
-                           int threads, Layers& layers, HiddenTops& hidden, bool blank,
+                           int threads, Layers& layers, OpenColumns& open, bool blank,
                            bool withGround)
 {
   Differences differences;
@@ -115,12 +115,12 @@ Differences convertColumns(const voxel::VoxelSource& source, const voxel::Column
     grid::inParallel(strip.size(), threads,
                      [&](std::size_t begin, std::size_t end)
                      {
-                       HeightPass heights(source, params, hidden, layers, blank);
+                       HeightPass heights(source, params, open, layers, blank);
                        for (std::size_t i = begin; i < end; ++i) heights.run(strip[i]);
                      });
     for (const BlockJob& job : strip)
     {
-      hidden.replace(job.key, job.changed, job.hidden);
+      open.replace(job.key, job.changed, job.open);
       if (any(job.newGround)) differences.newGround.insert(job.key, job.newGround);
       if (any(job.newSpan)) differences.newSpan.emplace(job.key, job.newSpan);
     }
@@ -171,19 +171,24 @@ void findGround(const voxel::ColumnSet& columns, const ConversionParams& params,
                    });
 }
 
-/** \param hidden gets the tops under the floors, if they are needed */
-Layers convertOn(const grid::GridFrame& frame, const voxel::VoxelSource& source,
-                 const ConversionParams& params, int threads, HiddenTops& hidden)
+/** Layers, and what an update of them needs beside. */
+struct Converted
 {
-  Layers layers(frame);
-  hidden = {};
+  Layers layers;
+  OpenColumns open;
+};
+
+Converted convertOn(const grid::GridFrame& frame, const voxel::VoxelSource& source,
+                    const ConversionParams& params, int threads)
+{
+  Converted made{Layers(frame), {}};
   const auto all = voxel::ColumnSet::of(frame);
   const bool floorsSuffice = params.floorFrom == FloorFrom::LowestFree;
-  convertColumns(source, all, all, params, threads, layers, hidden, true, floorsSuffice);
-  if (floorsSuffice) return layers;
-  SupportPass(params, hidden, layers).findAll(threads);
-  findGround(all, params, threads, layers);
-  return layers;
+  convertColumns(source, all, all, params, threads, made.layers, made.open, true, floorsSuffice);
+  if (floorsSuffice) return made;
+  SupportPass(params, made.open, made.layers).findAll(threads);
+  findGround(all, params, threads, made.layers);
+  return made;
 }
 
 /** The changed columns without those in which nothing is known and nothing was: a superset of the
@@ -225,9 +230,8 @@ grid::GridFrame frameOf(const voxel::VoxelSource& source)
 Layers convert(const voxel::VoxelSource& source, const ConversionParams& params, int threads)
 {
   params.check();
-  HiddenTops hidden;
-  return convertOn(frameOf(source), voxel::FilledSource(source, params.reading), params, threads,
-                   hidden);
+  return convertOn(frameOf(source), voxel::FilledSource(source, params.reading), params, threads)
+      .layers;
 }
 
 IncrementalLayers::IncrementalLayers(const ConversionParams& params, int threads)
@@ -259,7 +263,9 @@ void IncrementalLayers::rebuildFilled(const voxel::FilledSource& source,
                                       const grid::GridFrame& frame)
 {
   checkFrameSize(frame);
-  m_layers = convertOn(frame, source, m_params, m_threads, m_hidden);
+  Converted made = convertOn(frame, source, m_params, m_threads);
+  m_layers = std::move(made.layers);
+  m_open = std::move(made.open);
   m_unfinished = false;
   m_freeUpTo = source.freeUpTo();
 }
@@ -290,11 +296,11 @@ voxel::ColumnSet IncrementalLayers::follow(const voxel::VoxelSource& source,
 {
   const grid::GridFrame& frame = m_layers.frame();
   auto columns = changed.dilated(1).clipped(frame);
-  Differences found = convertColumns(source, changed, columns, m_params, m_threads, m_layers,
-                                     m_hidden, false, false);
+  Differences found =
+      convertColumns(source, changed, columns, m_params, m_threads, m_layers, m_open, false, false);
   voxel::ColumnSet& newGround = found.newGround;
   if (m_params.floorFrom == FloorFrom::Seen && !newGround.empty())
-    newGround = SupportPass(m_params, m_hidden, m_layers).findAround(newGround);
+    newGround = SupportPass(m_params, m_open, m_layers).findAround(newGround);
   voxel::ColumnSet ground = std::move(found.newAerial);
   ground.insert(newGround.dilated(GroundPass(m_params, m_layers).reach()).clipped(frame));
   findGround(ground, m_params, m_threads, m_layers);
@@ -306,7 +312,7 @@ voxel::ColumnSet IncrementalLayers::follow(const voxel::VoxelSource& source,
 void IncrementalLayers::clear()
 {
   m_layers = Layers();
-  m_hidden = {};
+  m_open = {};
   m_unfinished = false;
   m_freeUpTo.reset();
 }

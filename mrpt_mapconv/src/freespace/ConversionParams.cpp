@@ -33,8 +33,8 @@ void ConversionParams::check() const
   require(std::isfinite(step) && step >= 0, "maxStep", step,
           "a finite height ≥ 0 m (0 turns it off) or auto");
   require(std::isfinite(maxGap) && maxGap >= 0, "maxGap", maxGap, "a finite length ≥ 0 m");
-  require(std::isfinite(maxHiddenGap) && maxHiddenGap >= 0 && maxHiddenGap <= maxGap,
-          "maxHiddenGap", maxHiddenGap, "a length from 0 m to maxGap");
+  require(std::isfinite(maxHiddenGap) && maxHiddenGap >= 0, "maxHiddenGap", maxHiddenGap,
+          "a finite length ≥ 0 m");
 }
 
 void ConversionParams::takeNamedSet()

@@ -2,17 +2,20 @@
 
 #include <mrpt_mapconv/freespace/Evidence.h>
 
+#include "SupportRules.h"
+
 namespace mrpt_mapconv::freespace
 {
 using voxel::kBlockSide;
 
 HeightPass::HeightPass(const voxel::VoxelSource& source, const ConversionParams& params,
-                       const HiddenTops& hidden, Layers& layers, bool blank)
+                       const OpenColumns& open, Layers& layers, bool blank)
     : m_source(source),
-      m_hidden(hidden),
+      m_open(open),
       m_layers(layers),
       m_blank(blank),
       m_supportIsFloor(params.floorFrom == FloorFrom::LowestFree),
+      m_reachAbove(SupportRules(params, source.resolution()).reachAbove()),
       m_spans(params.minRunVoxels(source.resolution()))
 {
 }
@@ -20,7 +23,7 @@ HeightPass::HeightPass(const voxel::VoxelSource& source, const ConversionParams&
 void HeightPass::run(BlockJob& job)
 {
   if (!any(job.changed)) return;
-  job.hidden.clear();
+  job.open.clear();
   m_block.start(job.key, job.changed);
   m_source.read(m_block);
   m_spans.start(m_block);
@@ -53,9 +56,20 @@ void HeightPass::findRow(std::int32_t y, std::uint32_t columns)
                });
 }
 
-/** Finds what is hidden under the floors of a row.
+/** What is known to be occupied near the floor of an open column. */
+OpenColumn HeightPass::openColumn(std::int32_t column, std::int32_t floor) const
+{
+  OpenColumn open{static_cast<std::uint16_t>(column)};
+  if (const auto top = occupiedTopBelow(m_block, column, floor))
+    open.under = static_cast<std::uint16_t>(floor - *top);
+  if (const auto bottom = occupiedBottomWithin(m_block, column, floor, floor + m_reachAbove))
+    open.above = static_cast<std::uint16_t>(*bottom - floor);
+  return open;
+}
+
+/** Finds what is in the open columns of a row.
  * \return the columns where that differs from before */
-std::uint32_t HeightPass::findHidden(std::int32_t y, BlockJob& job) const
+std::uint32_t HeightPass::findOpen(std::int32_t y, BlockJob& job) const
 {
   std::uint32_t different = 0;
   forEachInRow(m_row.free,
@@ -63,16 +77,18 @@ std::uint32_t HeightPass::findHidden(std::int32_t y, BlockJob& job) const
                {
                  if (m_row.evidence[static_cast<std::size_t>(x)] != evidence::kOpen) return;
                  const std::int32_t column = y * kBlockSide + x;
-                 const auto top = occupiedTopBelow(m_block, column, m_spans.span(column).floor);
-                 if (top) job.hidden.push_back({column, *top});
-                 if (!m_blank) different |= bitIf(top != m_hidden.at(job.key, column), x);
+                 const OpenColumn now = openColumn(column, m_spans.span(column).floor);
+                 if (!now.isEmpty()) job.open.push_back(now);
+                 if (m_blank) return;
+                 const auto before = m_open.at(job.key, column);
+                 different |= bitIf(before ? !(*before == now) : !now.isEmpty(), x);
                });
   return different;
 }
 
 /** Writes heights and evidence of the changed columns, and support where the ground itself was
- * seen. Where floor, evidence and hidden top are as before, all stay, inferred or not. Returns the
- * columns with a kept free range. */
+ * seen. Where floor, evidence and what is near it are as before, all stay, inferred or not. Returns
+ * the columns with a kept free range. */
 voxel::ColumnMask HeightPass::writeHeights(BlockJob& job)
 {
   const BlockPlace place(job.key, m_layers.frame());
@@ -85,12 +101,12 @@ voxel::ColumnMask HeightPass::writeHeights(BlockJob& job)
     float *support = cells(m_layers.support), *known = cells(m_layers.evidence);
     findRow(y, row);
     free[at] = m_row.free;
-    const std::uint32_t newHidden = m_supportIsFloor ? 0 : findHidden(y, job);
+    const std::uint32_t newOpen = m_supportIsFloor ? 0 : findOpen(y, job);
     std::uint32_t newGround = row;
     if (!m_blank)  // to look at what blank layers hold would mean to wait for memory
     {
       const std::uint32_t newFloor = differing(row, m_row.floor.data(), floor);
-      newGround = newFloor | newHidden;
+      newGround = newFloor | newOpen;
       forEachInRow(row & ~newFloor,
                    [&](std::int32_t x)
                    {

@@ -15,10 +15,10 @@ namespace mrpt_mapconv::freespace
 class HeightPass
 {
  public:
-  /** \param hidden tops under the floors that the layers hold
+  /** \param open what is in the open columns that the layers hold
    * \param blank whether the layers hold nothing yet: all unknown */
   HeightPass(const voxel::VoxelSource& source, const ConversionParams& params,
-             const HiddenTops& hidden, Layers& layers, bool blank);
+             const OpenColumns& open, Layers& layers, bool blank);
   void run(BlockJob& job);
 
  private:
@@ -30,14 +30,16 @@ class HeightPass
   };
 
   void findRow(std::int32_t y, std::uint32_t columns);
-  std::uint32_t findHidden(std::int32_t y, BlockJob& job) const;
+  OpenColumn openColumn(std::int32_t column, std::int32_t floor) const;
+  std::uint32_t findOpen(std::int32_t y, BlockJob& job) const;
   voxel::ColumnMask writeHeights(BlockJob& job);
   void collectWalls(BlockJob& job, const voxel::ColumnMask& free);
 
   const voxel::VoxelSource& m_source;
-  const HiddenTops& m_hidden;
+  const OpenColumns& m_open;
   Layers& m_layers;
   bool m_blank, m_supportIsFloor;
+  std::int32_t m_reachAbove;  //!< how far over a floor things may be in the way [voxels]
   voxel::ColumnBlock m_block;
   FreeSpanFinder m_spans;
   Row m_row;

@@ -43,34 +43,25 @@ struct SupportPass::Offers
 
   Window window;                    //!< cells that may be written
   std::vector<std::int32_t> gapSq;  //!< of the line that a cell has its support from [cells²]
-  std::vector<char> wanted;         //!< cells that are found anew; empty: all
-  std::int32_t wantedX0 = 0, wantedY0 = 0, wantedXEnd = 0, wantedYEnd = 0;  //!< they lie in here
-
-  void want(std::int32_t x, std::int32_t y)
-  {
-    const bool first = wantedX0 == wantedXEnd;
-    wantedX0 = first ? x : std::min(wantedX0, x);
-    wantedY0 = first ? y : std::min(wantedY0, y);
-    wantedXEnd = first ? x + 1 : std::max(wantedXEnd, x + 1);
-    wantedYEnd = first ? y + 1 : std::max(wantedYEnd, y + 1);
-    wanted[window.index(x, y)] = 1;
-  }
 };
 
 SupportRules::SupportRules(const ConversionParams& params, double resolution)
-    : step(params.maxStepVoxels(resolution)), hiddenSlack(std::max(step, 1))
+    : step(params.maxStepVoxels(resolution)),
+      standing(params.looksForSteps() ? step : 1),
+      clearance(params.minRunVoxels(resolution)),
+      hiddenSlack(std::max(step, 1))
 {
   constexpr double kSlack = 1e-6;  // of a cell
   const auto cells = [&](double metres) { return metres / resolution + kSlack; };
   const auto squareOf = [&](double metres)
   { return static_cast<std::int32_t>(std::min(cells(metres) * cells(metres), 1e9)); };
-  maxHiddenSq = squareOf(params.maxHiddenGap);
-  maxGapSq = std::max(squareOf(params.maxGap), maxHiddenSq);
+  maxGapSq = squareOf(params.maxGap);
+  maxHiddenSq = std::min(squareOf(params.maxHiddenGap), maxGapSq);
   reach = static_cast<std::int32_t>(std::sqrt(static_cast<double>(maxGapSq)) + 1e-9);
 }
 
-SupportPass::SupportPass(const ConversionParams& params, const HiddenTops& hidden, Layers& layers)
-    : m_hidden(hidden), m_layers(layers), m_rules(params, layers.frame().resolution)
+SupportPass::SupportPass(const ConversionParams& params, const OpenColumns& open, Layers& layers)
+    : m_open(open), m_layers(layers), m_rules(params, layers.frame().resolution)
 {
 }
 
@@ -80,10 +71,10 @@ void SupportPass::findAll(int threads)
   // band keeps beside the layers should not grow with the map.
   constexpr std::int32_t kMostRows = 1024;
   const grid::GridFrame& frame = m_layers.frame();
-  const std::int32_t cores =
-      threads > 0 ? threads : static_cast<std::int32_t>(std::thread::hardware_concurrency());
+  const std::int32_t cores = std::max(
+      1, threads > 0 ? threads : static_cast<std::int32_t>(std::thread::hardware_concurrency()));
   const std::int32_t shared = std::clamp(frame.height / (4 * m_rules.reach + 1), 1, cores);
-  const std::int32_t bands = std::max(shared, frame.height / kMostRows);
+  const std::int32_t bands = std::max(shared, (frame.height + kMostRows - 1) / kMostRows);
   grid::inParallel(static_cast<std::size_t>(bands), shared,
                    [&](std::size_t begin, std::size_t end)
                    {
@@ -93,11 +84,14 @@ void SupportPass::findAll(int threads)
                                                         static_cast<std::size_t>(frame.height) /
                                                         static_cast<std::size_t>(bands));
                      };
-                     const std::int32_t yBegin = rowOf(begin), yEnd = rowOf(end);
-                     Offers offers({0, yBegin, frame.width, yEnd - yBegin});
-                     const std::int32_t yFrom = std::max(0, yBegin - m_rules.reach),
-                                        yTo = std::min(frame.height, yEnd + m_rules.reach);
-                     sweep({0, yFrom, frame.width, yTo - yFrom}, offers);
+                     for (std::size_t band = begin; band < end; ++band)
+                     {
+                       const std::int32_t y = rowOf(band), yEnd = rowOf(band + 1);
+                       Offers offers({0, y, frame.width, yEnd - y});
+                       const std::int32_t from = std::max(0, y - m_rules.reach),
+                                          to = std::min(frame.height, yEnd + m_rules.reach);
+                       sweep({0, from, frame.width, to - from}, offers);
+                     }
                    });
   // Only now: a sweep reads the evidence of rows that belong to another one.
   float* known = m_layers.evidence.cells().data();
@@ -148,124 +142,144 @@ void SupportPass::sweep(const Window& window, Offers& offers) const
   }
 }
 
-/** Not (e): something stands on cell k, known though it is under the floor. */
+/** Not (e): something known is in a robot's way on cell k. */
 bool SupportPass::isBlocked(const SupportLine& line, std::int32_t k, std::int32_t floor) const
 {
-  if (m_rules.isStepAtMost(line, k, floor)) return false;
+  if (!m_rules.mayBeBlocked(line, k, floor)) return false;
   const grid::GridFrame& frame = m_layers.frame();
-  const auto top = m_hidden.at(frame.x0 + line.x + k * line.dx, frame.y0 + line.y + k * line.dy);
-  return top && !m_rules.isStepAtMost(line, k, *top);
+  const auto open = m_open.at(frame.x0 + line.x + k * line.dx, frame.y0 + line.y + k * line.dy);
+  return open && m_rules.isBlocked(line, k, floor, *open);
+}
+
+/** Calls visit(k, x, y, floor) for the open cells of a line until it returns false.
+ * \return whether it never did */
+template <class Visit>
+bool SupportPass::forEachOpen(const SupportLine& line, const Visit& visit) const
+{
+  const double inverse = 1.0 / m_layers.frame().resolution;
+  for (std::int32_t k = 1; k < line.n; ++k)
+  {
+    const std::int32_t x = line.x + k * line.dx, y = line.y + k * line.dy;
+    if (!isOpen(m_layers.evidence.at(x, y))) continue;
+    if (!visit(k, x, y, heightKey(m_layers.floor.at(x, y), inverse))) return false;
+  }
+  return true;
+}
+
+/** (d): no open cell on the line shows that the ground lies lower. */
+bool SupportPass::isGround(const SupportLine& line) const
+{
+  return forEachOpen(line, [&](std::int32_t k, std::int32_t, std::int32_t, std::int32_t floor)
+                     { return !m_rules.refutes(line, k, floor); });
+}
+
+float SupportPass::heightAt(const SupportLine& line, std::int32_t k) const
+{
+  return static_cast<float>(line.unitsAt(k) * (m_layers.frame().resolution / kSupportUnits));
 }
 
 /** Gives a line to the open cells on it that it supports better than the lines before: the shorter
  * gap, then the lower line. */
 void SupportPass::offer(const SupportLine& line, Offers& offers) const
 {
-  if (!m_rules.allows(line)) return;
-  const grid::GridFrame& frame = m_layers.frame();
-  const double inverse = 1.0 / frame.resolution;
-  const auto forEachOpen = [&](const auto& visit)
-  {
-    for (std::int32_t k = 1; k < line.n; ++k)
-    {
-      const std::int32_t x = line.x + k * line.dx, y = line.y + k * line.dy;
-      if (!isOpen(m_layers.evidence.at(x, y))) continue;
-      if (!visit(k, x, y, heightKey(m_layers.floor.at(x, y), inverse))) return false;
-    }
-    return true;
-  };
-  if (!forEachOpen([&](std::int32_t k, std::int32_t, std::int32_t, std::int32_t floor)
-                   { return !m_rules.refutes(line, k, floor); }))
-    return;
+  if (!m_rules.allows(line) || !isGround(line)) return;
   const std::int32_t gapSq = line.gapSq();
-  forEachOpen(
-      [&](std::int32_t k, std::int32_t x, std::int32_t y, std::int32_t floor)
-      {
-        if (!offers.window.contains(x, y) || !m_rules.supports(line, k, floor)) return true;
-        const std::size_t cell = offers.window.index(x, y);
-        if (!offers.wanted.empty() && !offers.wanted[cell]) return true;
-        if (isBlocked(line, k, floor)) return true;
-        const auto support =
-            static_cast<float>(line.unitsAt(k) * (frame.resolution / kSupportUnits));
-        float& best = m_layers.support.at(x, y);
-        if (gapSq > offers.gapSq[cell] || (gapSq == offers.gapSq[cell] && support >= best))
-          return true;
-        best = support;
-        offers.gapSq[cell] = gapSq;
-        return true;
-      });
+  forEachOpen(line,
+              [&](std::int32_t k, std::int32_t x, std::int32_t y, std::int32_t floor)
+              {
+                if (!offers.window.contains(x, y) || !m_rules.supports(line, k, floor)) return true;
+                const std::size_t cell = offers.window.index(x, y);
+                if (isBlocked(line, k, floor)) return true;
+                const float support = heightAt(line, k);
+                float& best = m_layers.support.at(x, y);
+                if (gapSq > offers.gapSq[cell] || (gapSq == offers.gapSq[cell] && support >= best))
+                  return true;
+                best = support;
+                offers.gapSq[cell] = gapSq;
+                return true;
+              });
 }
 
-/** Marks the open cells whose segments a cell lies on, or ends: along each axis as far as the next
- * seen cell or wall. */
-void SupportPass::markAround(std::int32_t ix, std::int32_t iy, Offers& offers) const
+/** How many steps lead from a cell to the nearest seen one; 0 if a wall is before it, or there is
+ * none within reach. */
+std::int32_t SupportPass::stepsToSeen(std::int32_t ix, std::int32_t iy, std::int32_t dx,
+                                      std::int32_t dy) const
 {
-  const auto mark = [&](std::int32_t x, std::int32_t y)
+  const grid::GridFrame& frame = m_layers.frame();
+  for (std::int32_t k = 1; k < m_rules.reach; ++k)
   {
-    if (!offers.window.contains(x, y) || !isOpen(m_layers.evidence.at(x, y))) return false;
-    offers.want(x, y);
-    return true;
-  };
-  const auto isBetween = [&](std::int32_t x, std::int32_t y)
+    const std::int32_t x = ix + k * dx, y = iy + k * dy;
+    if (x < 0 || y < 0 || x >= frame.width || y >= frame.height) return 0;
+    const float known = m_layers.evidence.at(x, y);
+    if (known == kSeen) return k;
+    if (known == kWall) return 0;
+  }
+  return 0;
+}
+
+/** The support of one open cell, by its own four lines; NaN: none. */
+float SupportPass::supportOf(std::int32_t ix, std::int32_t iy) const
+{
+  const double inverse = 1.0 / m_layers.frame().resolution;
+  const auto keyAt = [&](std::int32_t x, std::int32_t y)
+  { return heightKey(m_layers.floor.at(x, y), inverse); };
+  const std::int32_t floor = keyAt(ix, iy);
+  float best = Layers::kNone;
+  std::int32_t bestGapSq = std::numeric_limits<std::int32_t>::max();
+  for (const auto& [dx, dy] : {std::pair{1, 0}, {0, 1}, {1, 1}, {-1, 1}})
   {
-    if (!offers.window.contains(x, y)) return false;
-    const float evidence = m_layers.evidence.at(x, y);
-    return evidence != kSeen && evidence != kWall;
-  };
-  mark(ix, iy);
+    const std::int32_t forth = stepsToSeen(ix, iy, dx, dy);
+    const std::int32_t back = forth == 0 ? 0 : stepsToSeen(ix, iy, -dx, -dy);
+    if (back == 0) continue;
+    const std::int32_t x = ix - back * dx, y = iy - back * dy;
+    const SupportLine line{
+        x, y, dx, dy, back + forth, keyAt(x, y), keyAt(ix + forth * dx, iy + forth * dy)};
+    if (line.gapSq() > bestGapSq || !m_rules.allows(line) || !m_rules.supports(line, back, floor) ||
+        isBlocked(line, back, floor) || !isGround(line))
+      continue;
+    const float support = heightAt(line, back);
+    if (line.gapSq() == bestGapSq && support >= best) continue;
+    best = support;
+    bestGapSq = line.gapSq();
+  }
+  return best;
+}
+
+/** Adds the open cells whose segments a changed cell lies on, or ends: along each axis as far as
+ * the next seen cell or wall, or the next changed cell, which looks further itself. */
+void SupportPass::addAround(std::int32_t kx, std::int32_t ky, const voxel::ColumnSet& changed,
+                            voxel::ColumnSet& open) const
+{
+  const grid::GridFrame& frame = m_layers.frame();
+  const auto evidenceAt = [&](std::int32_t x, std::int32_t y)
+  { return frame.containsKey(x, y) ? m_layers.evidence.cells()[frame.indexOfKey(x, y)] : kWall; };
+  if (isOpen(evidenceAt(kx, ky))) open.insert(kx, ky);
   for (std::int32_t dy = -1; dy <= 1; ++dy)
     for (std::int32_t dx = -1; dx <= 1; ++dx)
       for (std::int32_t k = 1; k <= m_rules.reach && (dx != 0 || dy != 0); ++k)
       {
-        if (!isBetween(ix + k * dx, iy + k * dy)) break;
-        mark(ix + k * dx, iy + k * dy);
+        const std::int32_t x = kx + k * dx, y = ky + k * dy;
+        const float known = evidenceAt(x, y);
+        if (known == kSeen || known == kWall || changed.contains(x, y)) break;
+        if (isOpen(known)) open.insert(x, y);
       }
 }
 
 voxel::ColumnSet SupportPass::findAround(const voxel::ColumnSet& changed)
 {
-  voxel::ColumnSet different = changed;
   const grid::GridFrame& frame = m_layers.frame();
-  const auto withinReach =
-      [&](std::int32_t x0, std::int32_t y0, std::int32_t xEnd, std::int32_t yEnd)
-  {
-    const std::int32_t fromX = std::max(0, x0 - m_rules.reach),
-                       fromY = std::max(0, y0 - m_rules.reach);
-    return Window{fromX, fromY, std::min(frame.width, xEnd + m_rules.reach) - fromX,
-                  std::min(frame.height, yEnd + m_rules.reach) - fromY};
-  };
-  const grid::GridFrame box = changed.bounds(frame.resolution);
-  Offers offers(withinReach(box.x0 - frame.x0, box.y0 - frame.y0, box.xEnd() - frame.x0,
-                            box.yEnd() - frame.y0));
-  offers.wanted.assign(offers.gapSq.size(), 0);
-  changed.forEach([&](std::int32_t kx, std::int32_t ky)
-                  { markAround(kx - frame.x0, ky - frame.y0, offers); });
-
-  struct Before
-  {
-    std::int32_t x, y;
-    float support;
-  };
-  std::vector<Before> before;
-  for (std::int32_t y = offers.wantedY0; y < offers.wantedYEnd; ++y)
-    for (std::int32_t x = offers.wantedX0; x < offers.wantedXEnd; ++x)
-    {
-      if (!offers.wanted[offers.window.index(x, y)]) continue;
-      float &support = m_layers.support.at(x, y), &known = m_layers.evidence.at(x, y);
-      before.push_back({x, y, support});
-      support = Layers::kNone;
-      known = evidence::kOpen;
-    }
-  if (before.empty()) return different;
-  sweep(withinReach(offers.wantedX0, offers.wantedY0, offers.wantedXEnd, offers.wantedYEnd),
-        offers);
-  for (const Before& b : before)
-  {
-    const float support = m_layers.support.at(b.x, b.y);
-    if (!std::isnan(support)) m_layers.evidence.at(b.x, b.y) = evidence::kInferred;
-    if (support != b.support && !(std::isnan(support) && std::isnan(b.support)))
-      different.insert(b.x + frame.x0, b.y + frame.y0);
-  }
+  voxel::ColumnSet open, different = changed;
+  changed.forEach([&](std::int32_t kx, std::int32_t ky) { addAround(kx, ky, changed, open); });
+  open.forEach(
+      [&](std::int32_t kx, std::int32_t ky)
+      {
+        const std::size_t cell = frame.indexOfKey(kx, ky);
+        const float before = m_layers.support.cells()[cell];
+        const float now = supportOf(kx - frame.x0, ky - frame.y0);
+        m_layers.support.cells()[cell] = now;
+        m_layers.evidence.cells()[cell] = std::isnan(now) ? evidence::kOpen : evidence::kInferred;
+        if (now != before && !(std::isnan(now) && std::isnan(before))) different.insert(kx, ky);
+      });
   return different;
 }
 

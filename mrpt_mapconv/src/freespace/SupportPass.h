@@ -1,8 +1,8 @@
 #pragma once
 
 #include <mrpt_mapconv/freespace/ConversionParams.h>
-#include <mrpt_mapconv/freespace/HiddenTops.h>
 #include <mrpt_mapconv/freespace/Layers.h>
+#include <mrpt_mapconv/freespace/OpenColumns.h>
 #include <mrpt_mapconv/voxel/ColumnSet.h>
 
 #include <cstdint>
@@ -17,12 +17,12 @@ namespace mrpt_mapconv::freespace
  * On each of four axes an open cell lies between the nearest seen cells on either side, if no wall
  * is between. All open cells of such a segment share its line, so a sweep over the rows, which
  * remembers the last seen cell of every row, column and diagonal, meets each segment once: at its
- * upper end. It looks at heights, evidence and hidden tops only, never at voxels. */
+ * upper end. It looks at heights, evidence and open columns only, never at voxels. */
 class SupportPass
 {
  public:
-  /** \param hidden tops under the floors of the layers' open cells */
-  SupportPass(const ConversionParams& params, const HiddenTops& hidden, Layers& layers);
+  /** \param open of the layers */
+  SupportPass(const ConversionParams& params, const OpenColumns& open, Layers& layers);
 
   /** Finds the support of all open cells. The layers hold the seen cells' already, and no open
    * cell's. */
@@ -54,11 +54,19 @@ class SupportPass
 
   void sweep(const Window& window, Offers& offers) const;
   void offer(const SupportLine& line, Offers& offers) const;
-  void markAround(std::int32_t ix, std::int32_t iy, Offers& offers) const;
+  template <class Visit>
+  bool forEachOpen(const SupportLine& line, const Visit& visit) const;
+  bool isGround(const SupportLine& line) const;
+  float heightAt(const SupportLine& line, std::int32_t k) const;
+  std::int32_t stepsToSeen(std::int32_t ix, std::int32_t iy, std::int32_t dx,
+                           std::int32_t dy) const;
+  float supportOf(std::int32_t ix, std::int32_t iy) const;
+  void addAround(std::int32_t kx, std::int32_t ky, const voxel::ColumnSet& changed,
+                 voxel::ColumnSet& open) const;
 
   bool isBlocked(const SupportLine& line, std::int32_t k, std::int32_t floor) const;
 
-  const HiddenTops& m_hidden;
+  const OpenColumns& m_open;
   Layers& m_layers;
   SupportRules m_rules;
 };

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <mrpt_mapconv/freespace/ConversionParams.h>
+#include <mrpt_mapconv/freespace/OpenColumns.h>
 
+#include <algorithm>
 #include <cstdint>
 
 namespace mrpt_mapconv::freespace
@@ -35,6 +37,8 @@ struct SupportLine
 struct SupportRules
 {
   std::int32_t step;         //!< h: the highest difference that is no step [voxels]
+  std::int32_t standing;     //!< what a robot drives over, if it stands on the ground [voxels]
+  std::int32_t clearance;    //!< what it needs [voxels]
   std::int32_t hiddenSlack;  //!< how far lines over short gaps may be above a floor [voxels]
   std::int32_t maxGapSq;     //!< [cells²]
   std::int32_t maxHiddenSq;  //!< likewise, where something may hide
@@ -51,7 +55,7 @@ struct SupportRules
   /** Not (d): an open cell k with this floor shows that the ground lies lower. */
   bool refutes(const SupportLine& line, std::int32_t k, std::int64_t floor) const
   {
-    return floor * line.n < line.timesN(k) - 2 * std::int64_t{line.n};
+    return (floor + std::max(step, 2)) * line.n < line.timesN(k);
   }
   /** (b) and (c) for an open cell k with this floor. */
   bool supports(const SupportLine& line, std::int32_t k, std::int64_t floor) const
@@ -59,14 +63,31 @@ struct SupportRules
     const std::int64_t height = line.timesN(k), n = line.n;
     const bool isShort = line.gapSq() <= maxHiddenSq;
     return height <= (floor + (isShort ? hiddenSlack : 1)) * n &&
-           (isShort || isStepAtMost(line, k, floor));
+           (isShort || isWithin(step, line, k, floor));
   }
-  /** Whether what stands up to this height at cell k is no more than a step: (e) for its hidden
-   * top, and always so if it holds for the floor. */
-  bool isStepAtMost(const SupportLine& line, std::int32_t k, std::int64_t top) const
+  /** Whether a height at cell k is at most so many voxels above the line. */
+  static bool isWithin(std::int32_t voxels, const SupportLine& line, std::int32_t k,
+                       std::int64_t height)
   {
-    return top * line.n <= line.timesN(k) + std::int64_t{step} * line.n;
+    return height * line.n <= line.timesN(k) + std::int64_t{voxels} * line.n;
   }
+  /** Whether (e) may not hold, by the floor alone. */
+  bool mayBeBlocked(const SupportLine& line, std::int32_t k, std::int64_t floor) const
+  {
+    return !isWithin(standing, line, k, floor) || floor * line.n < line.timesN(k);
+  }
+  /** Not (e): what is known to be occupied at cell k is in the robot's way. */
+  bool isBlocked(const SupportLine& line, std::int32_t k, std::int64_t floor,
+                 const OpenColumn& open) const
+  {
+    const bool stands =
+        open.under != OpenColumn::kNone && !isWithin(standing, line, k, floor - open.under);
+    const bool hangs = open.above != OpenColumn::kNone &&
+                       (floor + open.above) * line.n < line.timesN(k) + clearance * line.n;
+    return stands || hangs;
+  }
+  /** How far over a floor things are looked for that may hang too low over a line [voxels]. */
+  std::int32_t reachAbove() const { return clearance + hiddenSlack; }
 };
 
 }  // namespace mrpt_mapconv::freespace

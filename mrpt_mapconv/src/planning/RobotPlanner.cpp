@@ -8,7 +8,6 @@
 #include <tuple>
 
 #include "FloorSteps.h"
-#include "InferredObstacles.h"
 #include "WhyNotFree.h"
 
 namespace mrpt_mapconv::planning
@@ -35,9 +34,8 @@ RobotPlanner::RobotPlanner(const freespace::Layers& layers,
       m_conversion(conversion),
       m_query(query),
       m_voxels(voxels),
-      m_occupancy(isGround() && voxels ? withInferredObstacles(layers, conversion, *voxels)
-                                       : freespace::occupancyFor(layers, query.lift.robot)),
-      m_search(m_occupancy, query.start, query.goal, query.robotRadius),
+      m_search(freespace::occupancyFor(layers, query.lift.robot), query.start, query.goal,
+               query.robotRadius),
       m_faults(layers, conversion, query.lift, voxels),
       m_looked(layers.frame(), 0)
 {
@@ -115,9 +113,7 @@ std::string RobotPlanner::whyNoWay(const std::string& problem) const
 {
   if (const auto end = m_search.badEnd())
   {
-    std::string why = whyNotFree(m_layers, m_conversion, m_query.lift.robot, *end);
-    if (why.empty() && !grid::isFree(m_occupancy.at(end->x, end->y)))
-      why = "something occupied is in the robot's way there, over ground that is inferred";
+    const std::string why = whyNotFree(m_layers, m_conversion, m_query.lift.robot, *end);
     return why.empty() ? problem : problem + ": " + why;
   }
   const std::string step = isGround() ? stepInTheWay() : "";
@@ -128,8 +124,9 @@ std::string RobotPlanner::whyNoWay(const std::string& problem) const
  * there is no such way. */
 std::string RobotPlanner::stepInTheWay() const
 {
-  const GridPath way =
-      GridSearch(m_occupancy, m_query.start, m_query.goal, m_query.robotRadius).plan();
+  const GridPath way = GridSearch(freespace::occupancyFor(m_layers, m_query.lift.robot),
+                                  m_query.start, m_query.goal, m_query.robotRadius)
+                           .plan();
   if (!way.found()) return {};
   const LiftedPath path = lift(way.points);
   const auto faults = m_faults.of(path);

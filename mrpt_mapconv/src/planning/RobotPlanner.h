@@ -46,7 +46,6 @@ class RobotPlanner
   const freespace::ConversionParams& m_conversion;
   const RobotPathQuery& m_query;
   const voxel::VoxelSource* m_voxels;
-  grid::Layer<float> m_occupancy;  //!< where the robot may be
   GridSearch m_search;
   WayFaults m_faults;
   CellMask m_looked;          //!< cells whose centre was tried

@@ -269,10 +269,13 @@ TEST(Evidence, DNoOpenCellBetweenIsMoreThanTwoVoxelsBelowTheLine)
   expectRow("s0 o-1 o0 o1 s2 . .", seen(0.6, 0.2), "0 - 1 1.5 2 - -");
 }
 
-TEST(Evidence, DTheCellItselfIsOneOfThem)
+TEST(Evidence, DOrThanAStepWhereThatIsMore)
 {
-  // by (b) three voxels would do
-  expectRow("s3 o1 s3 . s3 o0 s3", seen(0.6, 0.2, 0.3), "3 3 3 - 3 - 3");
+  expectRow("s4 o4 o1 o4 s4 . .", seen(0.6, 0.2, 0.3), "4 4 - 4 4 - -");
+  expectRow("s4 o4 o0 o4 s4 . .", seen(0.6, 0.2, 0.3), "4 - - - 4 - -");
+  // the cell itself is one of them: three voxels do for (b) and (d), four for neither
+  expectRow("s3 o1 s3 . s3 o0 s3", seen(0.6, 0.2, 0.3), "3 3 3 - 3 3 3");
+  expectRow("s3 o1 s3 . s3 o-1 s3", seen(0.6, 0.2, 0.3), "3 3 3 - 3 - 3");
 }
 
 // ---- which line
@@ -371,7 +374,23 @@ TEST(Evidence, ENothingHigherThanAStepIsKnownToStandThere)
   EXPECT_TRUE(std::isnan(supportOver(0, 3, 0.2)));
   EXPECT_EQ(supportOver(0, 3, 0.3), 0);
   EXPECT_TRUE(std::isnan(supportOver(10, 11, 0.2))) << "it hangs over the line";
-  EXPECT_TRUE(std::isnan(supportOver(0, 3, 0))) << "with no steps looked for a step is 0.2 m";
+  EXPECT_EQ(supportOver(0, 1, 0), 0);
+  EXPECT_TRUE(std::isnan(supportOver(0, 2, 0))) << "one voxel, where steps are not looked for";
+}
+
+TEST(Evidence, ENothingHangsLowerOverTheLineThanIsNeeded)
+{
+  // a cell one voxel lower than its neighbours, with a free range of five or six voxels, under
+  // something occupied; five are needed
+  const auto supportUnder = [](int bottom)
+  {
+    HandMap map(0.1);
+    for (const int kx : {0, 2}) map.occupied(kx, 0, -1, 0).free(kx, 0, 0, 20);
+    map.free(1, 0, -1, bottom).occupied(1, 0, bottom, bottom + 1);
+    return map.convert(seen(0.6, 0.2)).support.at(1, 0);
+  };
+  EXPECT_TRUE(std::isnan(supportUnder(4)));
+  EXPECT_EQ(supportUnder(5), 0);
 }
 
 TEST(Evidence, EWhatStandsOnOneCellIsNoWallForOthers)

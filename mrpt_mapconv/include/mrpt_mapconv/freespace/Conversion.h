@@ -1,8 +1,8 @@
 #pragma once
 
 #include <mrpt_mapconv/freespace/ConversionParams.h>
-#include <mrpt_mapconv/freespace/HiddenTops.h>
 #include <mrpt_mapconv/freespace/Layers.h>
+#include <mrpt_mapconv/freespace/OpenColumns.h>
 #include <mrpt_mapconv/voxel/ColumnSet.h>
 #include <mrpt_mapconv/voxel/VoxelSource.h>
 
@@ -15,7 +15,7 @@ namespace mrpt_mapconv::freespace
  * \exception std::runtime_error if no voxel is known, or if that is more than 4·10^8 cells */
 grid::GridFrame frameOf(const voxel::VoxelSource& source);
 
-/** \exception std::runtime_error for a frame of more than 4·10^8 cells (8 GB of layers) */
+/** \exception std::runtime_error for a frame of more than 4·10^8 cells (11 GB of layers) */
 void checkFrameSize(const grid::GridFrame& frame);
 
 /** A frame that holds both; on each side where `needed` made `frame` grow it gets half its size
@@ -28,7 +28,7 @@ grid::GridFrame grownFrame(const grid::GridFrame& frame, const grid::GridFrame& 
  * \param source the voxel map; params.reading says how it is read
  * \param params checked first
  * \param threads number of threads; 0 = all cores
- * \return the five layers on frameOf(source); all unknown if no free range is kept
+ * \return the layers on frameOf(source); all unknown if no free range is kept
  * \exception std::invalid_argument for bad parameters
  * \exception std::runtime_error for a map without any known voxel or of more than 4·10^8 cells */
 Layers convert(const voxel::VoxelSource& source, const ConversionParams& params, int threads = 0);
@@ -79,7 +79,7 @@ class IncrementalLayers
   ConversionParams m_params;
   int m_threads;
   Layers m_layers;
-  HiddenTops m_hidden;                     //!< under the floors of m_layers, with floorFrom = seen
+  OpenColumns m_open;                      //!< of m_layers, with floorFrom = seen
   std::optional<std::int32_t> m_freeUpTo;  //!< that m_layers were made with
   bool m_unfinished = false;  //!< an update was broken off: the layers hold some of a change
 };

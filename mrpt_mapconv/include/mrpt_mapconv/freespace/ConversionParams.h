@@ -44,11 +44,12 @@ struct ConversionParams
    * on either side are taken, on each of four axes, no wall between. The line between their
    * supports counts if (a) these differ by at most h; (b) at the cell it is at most one voxel above
    * the cell's floor, or max(h, one voxel) where the gap is at most maxHiddenGap; (c) the gap, from
-   * centre to centre, is at most maxGap where floor ≤ line + h, since nothing higher than a step
-   * can hide under free space that low, else maxHiddenGap; (d) no open cell between has a floor
-   * more than two voxels below the line; (e) nothing that is occupied under the cell's floor has
-   * its top more than h above the line. The smallest gap counts, then the lower line, rounded to
-   * 1/64 voxel, halves up. */
+   * centre to centre, is at most maxGap, and, but where floor ≤ line + h, since nothing higher than
+   * a step can hide under free space that low, at most maxHiddenGap; (d) no open cell between has a
+   * floor more than max(h, two voxels) below the line; (e) in the cell's column nothing is known
+   * that is in the robot's way: under the floor nothing occupied has its top more than h (one
+   * voxel, if maxStep is 0) above the line, over it none begins less than minClearance above the
+   * line. The smallest gap counts, then the lower line, rounded to 1/64 voxel, halves up. */
   double maxGap = 6.0;
   double maxHiddenGap = 1.0;  //!< the same where something may hide in the gap [m]
 
@@ -63,7 +64,8 @@ struct ConversionParams
       "half side of the window over which a cell's slope is fitted", flag("N"));
     v("maxSlope", p.maxSlope, "m/m", "steepest slope for a ground robot", flag("S"));
     v("maxStep", p.maxStep, "m",
-      "highest step for a ground robot; auto = 0.2 m, but a voxel at least; 0 = not looked at",
+      "highest step for a ground robot; auto = 0.2 m, but a voxel at least; 0 = neither steps nor "
+      "edges of drops are looked for",
       flag("M"));
     voxel::ReadingParams::visit(p.reading, v);
     v("floorFrom", p.floorFrom, "",
@@ -71,8 +73,11 @@ struct ConversionParams
       "seen or is inferred from what was seen around",
       flag("F").since(1));
     v("maxGap", p.maxGap, "m",
-      "longest gap that the ground is inferred over, with floorFrom = seen", params::since(1));
-    v("maxHiddenGap", p.maxHiddenGap, "m", "the same where something may hide in the gap",
+      "longest gap between seen ground over which it is inferred, with floorFrom = seen",
+      params::since(1));
+    v("maxHiddenGap", p.maxHiddenGap, "m",
+      "the same where free space begins more than a step above, so that something may hide under "
+      "it",
       params::since(1));
   }
   /** \exception std::invalid_argument naming the parameter, its value and what would be right */
