@@ -340,15 +340,20 @@ void registerAll(const std::string& map)
       [](auto& state, auto& m) { updateChangedPart(state, m, true, true); });
   add("update_1_percent_seen/scattered_changed",
       [](auto& state, auto& m) { updateChangedPart(state, m, false); });
-  const auto addMemory = [&](const std::string& what, int threads)
+  const auto addMemory =
+      [&](const std::string& what, int threads, const freespace::ConversionParams& params)
   {
     benchmark::RegisterBenchmark((map + "/" + what).c_str(), [=](benchmark::State& state)
-                                 { memoryOf(state, subject(map).source, threads); })
+                                 { memoryOf(state, subject(map).source, threads, params); })
         ->Iterations(1)
         ->Unit(benchmark::kMillisecond);
   };
-  addMemory("memory/1_thread", 1);
-  addMemory("memory/2_threads", 2);
+  for (const int threads : {1, 2})
+  {
+    const std::string count = std::to_string(threads) + (threads == 1 ? "_thread" : "_threads");
+    addMemory("memory/" + count, threads, freespace::ConversionParams::paper());
+    addMemory("memory_seen/" + count, threads, seenParams());
+  }
 }
 }  // namespace
 
@@ -362,6 +367,12 @@ int main(int argc, char** argv)
                                [](benchmark::State& state) { memoryOf(state, LargeSource(), 2); })
       ->Iterations(1)
       ->Unit(benchmark::kMillisecond);
+  for (const int threads : {1, 2})
+    benchmark::RegisterBenchmark(("large/memory_seen/" + std::to_string(threads)).c_str(),
+                                 [threads](benchmark::State& state)
+                                 { memoryOf(state, LargeSource(), threads, seenParams()); })
+        ->Iterations(1)
+        ->Unit(benchmark::kMillisecond);
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
   benchmark::RunSpecifiedBenchmarks();
