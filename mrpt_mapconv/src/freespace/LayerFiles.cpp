@@ -28,7 +28,7 @@ ConversionParams paramsFrom(const grid::Metadata& items, const std::string& path
         const std::string* text = itemOf(items, name, about, path);
         if (text && !params::setFromText(*text, value))
           throw std::runtime_error("cannot read '" + path + "': its " + name + " = '" + *text +
-                                   "' is no number");
+                                   "' is not valid: it must be " + params::rightTextOf(value));
       });
   try
   {
