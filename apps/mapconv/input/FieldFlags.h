@@ -135,7 +135,8 @@ class FieldFlags
         {
           Field value;
           if (!mrpt_mapconv::params::setFromText(text, value))
-            return "'" + text + "' is neither a number nor auto";
+            return "'" + text + "' is not valid: it must be " +
+                   mrpt_mapconv::params::rightTextOf(value);
           return complaintAbout(name, value);
         },
         "");

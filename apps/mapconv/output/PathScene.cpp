@@ -6,6 +6,7 @@
 #include <mrpt/opengl/CSphere.h>
 #include <mrpt_mapconv/files/ObjectWriter.h>
 #include <mrpt_mapconv/freespace/FreeSpaceScene.h>
+#include <mrpt_mapconv/grid/LayerScene.h>
 #include <mrpt_mapconv/grid/PictureColors.h>
 #include <octomap/OcTree.h>
 
@@ -104,7 +105,10 @@ void writePathScene(const std::string& file, const freespace::Layers& layers,
     auto objects = mrpt::opengl::CSetOfObjects::Create();
     const bool ground = occupancy.freeFor != nullptr;  // of a layer for ground robots
     if (ground)
+    {
       freespace::drawGround(layers, {}, occupancy, *objects);
+      grid::drawLegend(occupancy, *scene.getViewport());
+    }
     else
       freespace::drawFreeSpace(layers, {}, *objects);
     scene.insert(objects);

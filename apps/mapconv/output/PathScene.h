@@ -13,8 +13,8 @@ class AbstractOcTree;
 namespace mapconv
 {
 /** Writes a `.3Dscene` of MRPT's own objects: the path with its start (white) and goal, among the
- * occupied voxels no more than a metre above it (what is higher would hide it), or above the floor
- * if there is no voxel map.
+ * occupied voxels no more than a metre above it (what is higher would hide it), or above the floor,
+ * with a legend of the colours of a ground robot's, if there is no voxel map.
  * \param occupancy of the path's robot
  * \param octree of which the layers were made; may be null
  * \exception std::runtime_error naming the file and the reason if it cannot be written */

@@ -18,9 +18,8 @@ const std::string* itemOf(const grid::Metadata& items, const std::string& name,
                            ", so it was not made by mapconv convert");
 }
 
-ConversionParams readParams(const std::string& path)
+ConversionParams paramsFrom(const grid::Metadata& items, const std::string& path)
 {
-  const grid::Metadata items = grid::readGeoTiffMetadata(path);
   ConversionParams params = ConversionParams::ofOlderFiles();
   ConversionParams::visit(
       params,
@@ -29,7 +28,7 @@ ConversionParams readParams(const std::string& path)
         const std::string* text = itemOf(items, name, about, path);
         if (text && !params::setFromText(*text, value))
           throw std::runtime_error("cannot read '" + path + "': its " + name + " = '" + *text +
-                                   "' is no number");
+                                   "' is not valid: it must be " + params::rightTextOf(value));
       });
   try
   {
@@ -66,8 +65,9 @@ void writeLayersTiff(const std::string& path, const freespace::Layers& layers,
 LayersFile readLayersTiff(const std::string& path)
 {
   LayersFile file;
-  file.params = readParams(path);
-  const bool hasGround = grid::readGeoTiffMetadata(path).count("floorFrom") != 0;
+  const grid::Metadata items = grid::readGeoTiffMetadata(path);
+  file.params = paramsFrom(items, path);
+  const bool hasGround = items.count("floorFrom") != 0;
   for (const auto& entry : Layers::list())
     if (hasGround || !entry.isOfGround())
       file.layers.*entry.member = grid::readGeoTiffBand(path, entry.name);

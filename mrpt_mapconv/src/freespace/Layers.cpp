@@ -11,7 +11,7 @@ const std::vector<Layers::Entry>& Layers::list()
   static const std::vector<Entry> entries{
       {&Layers::floor, "floor", "Floor: bottom of the lowest free range", "m", Kind::Height},
       {&Layers::ceiling, "ceiling", "Ceiling: top of the highest free range", "m", Kind::Height},
-      {&Layers::slope, "slope", "Slope of the floor", "m/m", Kind::Slope},
+      {&Layers::slope, "slope", "Slope of the ground", "m/m", Kind::Slope},
       {&Layers::aerial, "aerial", "Occupancy for an aerial robot", "", Kind::Occupancy},
       {&Layers::ground, "ground", "Occupancy for a ground robot", "", Kind::Occupancy,
        &Layers::aerial, &Layers::evidence},

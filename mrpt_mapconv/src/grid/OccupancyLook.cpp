@@ -18,9 +18,9 @@ const Description& descriptionOf(OccupancyLook look)
 {
   static const std::array<Description, 7> all{
       {{kUnknownColor, "unknown"},
-       {kFrontierColor, "frontier: free for a flying robot, but its ground was not seen"},
-       {kInferredColor, "free, ground inferred from what was seen around"},
        {kFreeColor, "free"},
+       {kInferredColor, "free, ground inferred from what was seen around"},
+       {kFrontierColor, "frontier: free for a flying robot, but its ground was not seen"},
        {kSteepColor, "too steep or too high a step (free for a flying robot)"},
        {kOccupiedColor, "occupied"},
        {kDropColor, "edge of a drop"}}};

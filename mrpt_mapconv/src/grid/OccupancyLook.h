@@ -5,14 +5,15 @@
 
 namespace mrpt_mapconv::grid::picture
 {
-/** How a cell of an occupancy layer looks; of the cells that share a pixel the last one shows.
+/** How a cell of an occupancy layer looks; of the cells that share a pixel the last one shows, so
+ * that what warns is not lost in large maps.
  * Without StyledLayer::freeFor there are only occupied, free and unknown. */
 enum class OccupancyLook
 {
   Unknown,
-  Frontier,
-  Inferred,
   Free,
+  Inferred,
+  Frontier,
   Steep,
   Occupied,
   Drop

@@ -1,9 +1,9 @@
 #include <mrpt/system/COutputLogger.h>
+#include <mrpt_mapconv/params/Fields.h>
 #include <mrpt_mapconv/params/StrictSection.h>
 #include <mrpt_mapconv/params/Text.h>
 
 #include <algorithm>
-#include <cmath>
 #include <sstream>
 #include <stdexcept>
 #include <utility>
@@ -23,12 +23,6 @@ std::string withoutComment(const std::string& value)
     if (opens && (i == 0 || isSpace(value[i - 1]))) return value.substr(0, i);
   }
   return value;
-}
-
-template <class Number>
-const char* kindOf()
-{
-  return std::is_integral_v<Number> ? "a whole number" : "a finite number";
 }
 }  // namespace
 
@@ -58,27 +52,12 @@ void StrictSection::fail(const std::string& key, const std::string& right) const
                            "' is not valid: it must be " + right);
 }
 
-namespace
-{
-/** Reads a text that is a number from its first to its last character. */
-template <class Number>
-bool parse(std::string digits, Number& number)
-{
-  if (digits.size() > 1 && digits[0] == '+' && digits[1] != '-') digits.erase(0, 1);
-  if (!readWhole(digits, number)) return false;
-  if constexpr (std::is_floating_point_v<Number>) return std::isfinite(number);
-  return true;
-}
-}  // namespace
-
 template <class Number>
 void StrictSection::readNumber(const std::string& key, Number& value)
 {
   m_known.insert(key);
   if (!has(key)) return;
-  Number number{};
-  if (!parse(text(key), number)) fail(key, kindOf<Number>());
-  value = number;
+  if (!params::readNumber(text(key), value)) fail(key, rightTextOf(value));
 }
 
 void StrictSection::read(const std::string& key, std::vector<double>& values)
@@ -91,7 +70,7 @@ void StrictSection::read(const std::string& key, std::vector<double>& values)
   std::vector<double> numbers;
   std::istringstream words(list);
   for (std::string word; words >> word;)
-    if (!parse(word, numbers.emplace_back())) fail(key, "a list of finite numbers");
+    if (!params::readNumber(word, numbers.emplace_back())) fail(key, "a list of finite numbers");
   if (numbers.empty()) fail(key, "a list of finite numbers");
   values = std::move(numbers);
 }
@@ -107,14 +86,7 @@ void StrictSection::read(const std::string& key, std::optional<double>& value)
 {
   m_known.insert(key);
   if (!has(key)) return;
-  const std::string word = text(key);
-  double number = 0;
-  if (lowerCase(word) == kAuto)
-    value.reset();
-  else if (parse(word, number))
-    value = number;
-  else
-    fail(key, "a finite number or auto");
+  if (!readNumberOrAuto(text(key), value)) fail(key, rightTextOf(value));
 }
 
 void StrictSection::read(const std::string& key, std::string& value)
@@ -140,7 +112,7 @@ void StrictSection::read(const std::string& key, bool& value)
       value = false;
       return;
     }
-  fail(key, "true or false");
+  fail(key, rightTextOf(value));
 }
 
 void StrictSection::readChoice(const std::string& key, const std::vector<std::string>& choices,
@@ -149,12 +121,7 @@ void StrictSection::readChoice(const std::string& key, const std::vector<std::st
   m_known.insert(key);
   if (!has(key)) return;
   const auto it = std::find(choices.begin(), choices.end(), text(key));
-  if (it == choices.end())
-  {
-    std::string right;
-    for (const auto& choice : choices) right += (right.empty() ? "" : " or ") + choice;
-    fail(key, right);
-  }
+  if (it == choices.end()) fail(key, alternatives(choices));
   index = static_cast<int>(it - choices.begin());
 }
 

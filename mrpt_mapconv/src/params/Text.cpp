@@ -43,6 +43,13 @@ std::string lowerCase(std::string text)
   return text;
 }
 
+std::string alternatives(const std::vector<std::string>& names)
+{
+  std::string text;
+  for (const auto& name : names) text += (text.empty() ? "" : " or ") + name;
+  return text;
+}
+
 std::string counted(std::size_t count, std::string_view noun)
 {
   return std::to_string(count).append(" ").append(noun).append(count == 1 ? "" : "s");

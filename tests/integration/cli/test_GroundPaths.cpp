@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <mrpt/opengl/COpenGLScene.h>
 
 #include <filesystem>
 #include <fstream>
@@ -25,6 +26,16 @@ class GroundPaths : public ::testing::Test
     const auto run =
         mapconv({"convert", file, "-o", map(), "--max-step", maxStep, "--floor-from", "seen"});
     ASSERT_EQ(0, run.status) << run.err;
+  }
+  /** 2 m × 0.6 m; of 0.8 m ≤ x < 1.1 m free space begins 0.1 m over the ground, unseen below. */
+  void convertGap()
+  {
+    std::vector<std::vector<std::string>> columns(
+        6, std::vector<std::string>(20, "o" + std::string(20, 'f')));
+    for (auto& row : columns)
+      for (std::size_t x = 8; x < 11; ++x) row[x] = "  " + std::string(19, 'f');
+    writeTree(treeOf(0.1, columns, 0, 0), m_dir.path("gap.bt"));
+    convert(m_dir.path("gap.bt"));
   }
   Outcome plan(const std::string& from, const std::string& to, const std::string& radius,
                std::vector<std::string> more = {})
@@ -53,14 +64,7 @@ class GroundPaths : public ::testing::Test
 
 TEST_F(GroundPaths, SayHowManyMetresLeadOverInferredGround)
 {
-  // 2 m × 0.6 m; of 0.8 m ≤ x < 1.1 m free space begins 0.1 m over the ground, unseen below
-  std::vector<std::vector<std::string>> columns(
-      6, std::vector<std::string>(20, "o" + std::string(20, 'f')));
-  for (auto& row : columns)
-    for (std::size_t x = 8; x < 11; ++x) row[x] = "  " + std::string(19, 'f');
-  writeTree(treeOf(0.1, columns, 0, 0), m_dir.path("gap.bt"));
-  convert(m_dir.path("gap.bt"));
-
+  convertGap();
   const Outcome planned = plan("0.25,0.35", "1.75,0.35", "0.1");
   ASSERT_EQ(0, planned.status) << planned.err;
   const std::string words =
@@ -77,6 +81,17 @@ TEST_F(GroundPaths, SayHowManyMetresLeadOverInferredGround)
   const Outcome flown =
       lift(straight("0.35,0.35", "1.65,0.35"), {"--json", "--safety-radius", "0.1"}, "aerial");
   EXPECT_EQ(0, parseJson(flown.out)["inferredLength"].number) << "it does not stand on it";
+}
+
+TEST_F(GroundPaths, SceneWithoutAVoxelMapSaysWhatItsColoursMean)
+{
+  convertGap();
+  std::filesystem::remove(map() + "/voxels.bt");
+  const Outcome planned = plan("0.25,0.35", "1.75,0.35", "0.1");
+  ASSERT_EQ(0, planned.status) << planned.err;
+  mrpt::opengl::COpenGLScene scene;
+  ASSERT_TRUE(scene.loadFromFile(m_dir.path("path.3Dscene")));
+  EXPECT_EQ(1u, scene.getViewport()->getTextMessages().messages.size()) << "inferred ground";
 }
 
 TEST_F(GroundPaths, LiftTakesWhatPlanWritesOnRealMaps)

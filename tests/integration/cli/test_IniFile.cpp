@@ -142,6 +142,17 @@ TEST_F(IniFile, aStepMayBeAuto)
   const auto run = convertWith("[conversion]\nmaxStep = 0.3\n", {"--max-step", "auto"});
   ASSERT_EQ(0, run.status) << run.err;
   EXPECT_EQ("auto", parseJson(run.out)["parameters"]["maxStep"].text);
+  for (const std::string value : {"+0.2", "AUTO"})  // what one takes, the other does
+  {
+    const auto inFile = convertWith("[conversion]\nmaxStep = " + value + "\n");
+    const auto asFlag = convertWith("[conversion]\n", {"--max-step", value});
+    ASSERT_EQ(0, inFile.status) << inFile.err;
+    ASSERT_EQ(0, asFlag.status) << asFlag.err;
+    const JsonValue one = parseJson(inFile.out)["parameters"]["maxStep"];
+    const JsonValue other = parseJson(asFlag.out)["parameters"]["maxStep"];
+    EXPECT_EQ(one.text, other.text) << value;
+    EXPECT_EQ(one.number, other.number) << value;
+  }
   for (const std::string bad : {"high", "", "-0.1", "nan"})
   {
     const auto refused = convertWith("[conversion]\n", {"--max-step", bad});

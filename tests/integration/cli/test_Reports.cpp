@@ -131,7 +131,7 @@ TEST_F(Reports, NobodyIsSentOverACliffButByThePapersParameters)
     EXPECT_EQ(paper, isWay(map, "-5,0", "8,0", "0.3", csv));
     if (paper) continue;
     EXPECT_GT(parseJson(run.out)["frontier"].number, 3000) << "nobody saw what is under the edge";
-      const auto isOverTheHole = [](double x) { return x > 0.96 && x < 5.6; };  // 0.95 is its edge
+    const auto isOverTheHole = [](double x) { return x > 0.96 && x < 5.6; };  // 0.95 is its edge
     int inTheAir = 0, over = 0;
     forEachCell(map, "ground",
                 [&](double x, double, double cell)

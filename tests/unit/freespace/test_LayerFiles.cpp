@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <tuple>
 
 #include "support/TempDir.h"
 
@@ -95,6 +96,24 @@ TEST(LayerFiles, AutoComesBack)
   const auto params = freespace::readLayersTiff(path).params;
   EXPECT_FALSE(params.maxStep);
   EXPECT_EQ(freespace::FloorFrom::Seen, params.floorFrom);
+}
+
+TEST(LayerFiles, WhatIsWrittenWronglyIsNamedWithWhatWouldBeRight)
+{
+  const TempDir dir;
+  const std::string path = dir.path("layers.tif");
+  for (const auto& [name, text, right] : {std::tuple{"floorFrom", "sein", "lowestFree or seen"},
+                                          {"maxStep", "autx", "a finite number or auto"},
+                                          {"maxSlope", "steep", "a finite number"},
+                                          {"slopeWindow", "2.5", "a whole number"}})
+  {
+    grid::Metadata items = freespace::metadataOf({});
+    items[name] = text;
+    grid::writeGeoTiff(path, sample().styled(), items);
+    EXPECT_EQ("cannot read '" + path + "': its " + name + " = '" + text +
+                  "' is not valid: it must be " + right,
+              failure(path));
+  }
 }
 
 TEST(LayerFiles, FilesOfOthersAreRefused)

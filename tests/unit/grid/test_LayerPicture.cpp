@@ -1,6 +1,7 @@
 #include <mrpt_mapconv/grid/KnownFrame.h>
 #include <mrpt_mapconv/grid/LayerPicture.h>
 #include <mrpt_mapconv/grid/OccupancyCell.h>
+#include <mrpt_mapconv/grid/PictureColors.h>
 
 #include <algorithm>
 #include <array>
@@ -89,6 +90,26 @@ TEST(LayerPicture, occupiedWinsInReducedMaps)
   const CImage image = drawLayer(styled(layer, kOccupancy));
   EXPECT_LE(image.getWidth(), 2400U);
   EXPECT_GE(colors(image)[kOccupiedRgb], 1667U);
+}
+
+TEST(LayerPicture, whatWarnsOfTheGroundWinsOverFreeInReducedMaps)
+{
+  const GridFrame frame{0.05, 0, 0, 5000, 90};
+  Layer<float> ground(frame, kFree), evidence(frame, 1);
+  const Layer<float> aerial(frame, kFree);
+  for (int x = 0; x < 5000; ++x)  // lines one cell thick, between free cells
+  {
+    evidence.at(x, 25) = kInferredGround;
+    ground.at(x, 46) = kUnknown;
+    evidence.at(x, 58) = kInferredGround;  // beside a frontier
+    ground.at(x, 59) = kUnknown;
+  }
+  StyledLayer style = styled(ground, kOccupancy, &aerial);
+  style.evidence = &evidence;
+  auto found = colors(drawLayer(style));
+  const auto rgb = [](const picture::TColor& c) -> Rgb { return {c.R, c.G, c.B}; };
+  EXPECT_GE(found[rgb(picture::kInferredColor)], 1667U);
+  EXPECT_GE(found[rgb(picture::kFrontierColor)], 2 * 1667U);
 }
 
 TEST(LayerPicture, steepOnlyWithTheAerialLayer)

@@ -223,6 +223,21 @@ TEST(Fields, TheirTextsSetThem)
   EXPECT_FALSE(params::setFromText("steep", params::Degrees(read.angle)));
 }
 
+TEST(Fields, WhatTheirTextsMustBeIsSaid)
+{
+  std::map<std::string, std::string> right;
+  const Options options;
+  params::visitFields(options,
+                      [&](const char* name, const auto& field, const char*, const char*,
+                          params::About = {}) { right[name] = params::rightTextOf(field); });
+  EXPECT_EQ("a finite number", right["length"]);
+  EXPECT_EQ("a whole number", right["count"]);
+  EXPECT_EQ("a finite number", right["angle"]);
+  EXPECT_EQ("true or false", right["isOn"]);
+  EXPECT_EQ("red or green", right["colour"]);
+  EXPECT_EQ("a finite number or auto", params::rightTextOf(std::optional<double>()));
+}
+
 /** Options with a name for values of theirs, and a number that may be left to the program. */
 struct NamedOptions : params::ListedOptions<NamedOptions>
 {
@@ -264,8 +279,15 @@ TEST(Fields, AnOptionalNumberIsANumberOrAuto)
   EXPECT_TRUE(params::setFromText("7", options.size));
   EXPECT_FALSE(params::setFromText("7 m", options.size));
   EXPECT_EQ(7, options.size);
-  EXPECT_TRUE(params::setFromText("auto", options.size));
-  EXPECT_FALSE(options.size);
+  for (const char* word : {"auto", "Auto", "AUTO"})
+  {
+    EXPECT_TRUE(params::setFromText("+0.25", options.size)) << "as in an ini file";
+    EXPECT_EQ(0.25, options.size);
+    EXPECT_TRUE(params::setFromText(word, options.size));
+    EXPECT_FALSE(options.size) << word;
+  }
+  for (const char* bad : {"nan", "inf", "+-1", "++1", "+", "", "autx"})
+    EXPECT_FALSE(params::setFromText(bad, options.size)) << bad;
   std::ostringstream text;
   params::printFields(options, text);
   EXPECT_NE(std::string::npos, text.str().find("= auto\n")) << text.str();

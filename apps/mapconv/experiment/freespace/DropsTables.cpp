@@ -105,8 +105,7 @@ std::ptrdiff_t floatingCells(const freespace::Layers& layers, const grid::Layer<
   const auto inferred = eval::without(eval::cellsFrom(evidence, freespace::evidence::kInferred),
                                       eval::cellsFrom(evidence, freespace::evidence::kOpen));
   const auto errors = eval::errorsOf(layers.support, truth, inferred);
-  return static_cast<std::size_t>(
-      std::count_if(errors.begin(), errors.end(), [](double error) { return error > kFloats; }));
+  return std::count_if(errors.begin(), errors.end(), [](double error) { return error > kFloats; });
 }
 
 /** "63.2 % of 1830". */

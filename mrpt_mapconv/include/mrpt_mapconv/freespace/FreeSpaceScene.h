@@ -12,14 +12,15 @@ struct TLayerSceneOptions
 {
   bool showFloor = true;
   bool showCeiling = false;
-  bool colorBySlope = false;  //!< colour the floor by its slope instead of its height
+  bool colorBySlope = false;  //!< colour the floor by the slope of the ground
 
   template <class S, class V>
   static void visit(S& o, V&& v)
   {
     v("showFloor", o.showFloor, "", "draw the floor as a surface");
     v("showCeiling", o.showCeiling, "", "draw the ceiling, too");
-    v("colorBySlope", o.colorBySlope, "", "colour the floor by its slope instead of its height");
+    v("colorBySlope", o.colorBySlope, "",
+      "colour the floor by the slope of the ground instead of its height");
   }
 };
 

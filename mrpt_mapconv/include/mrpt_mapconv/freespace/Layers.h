@@ -15,7 +15,7 @@ struct Layers
 {
   grid::Layer<float> floor;    //!< bottom face of the lowest kept free range [m]; NaN: none kept
   grid::Layer<float> ceiling;  //!< top face of the highest kept free range [m]; NaN: none kept
-  grid::Layer<float> slope;    //!< slope of the floor [m/m]; NaN: no floor or no plane
+  grid::Layer<float> slope;    //!< slope of the ground [m/m]; NaN: no support or no plane
   grid::Layer<float> aerial;  //!< occupancy for a flying robot: 0 free, (0,1] occupied, −1 unknown
   grid::Layer<float> ground;    //!< occupancy for a ground robot: likewise
   grid::Layer<float> support;   //!< height of the ground [m]; NaN: none is known of

@@ -179,7 +179,8 @@ std::string textOf(const Field& field)
   return text;
 }
 
-/** Reads what textOf() gives, wholly. \return false, and the field as it was, for any other text */
+/** Reads what textOf() gives, wholly; an optional number as an ini file may have it. \return false,
+ * and the field as it was, for any other text */
 template <class Field>
 bool setFromText(const std::string& text, Field&& field)
 {
@@ -192,16 +193,7 @@ bool setFromText(const std::string& text, Field&& field)
     return true;
   }
   else if constexpr (isOptional<Value>)
-  {
-    typename Value::value_type number{};
-    if (text == kAuto)
-      field.reset();
-    else if (readWhole(text, number))
-      field = number;
-    else
-      return false;
-    return true;
-  }
+    return readNumberOrAuto(text, field);
   else if constexpr (std::is_same_v<Value, bool>)
   {
     if (text != "true" && text != "false") return false;
@@ -218,6 +210,22 @@ bool setFromText(const std::string& text, Field&& field)
   }
   else
     return readWhole(text, field);
+}
+
+/** What setFromText() reads, for errors: "it must be …". */
+template <class Field>
+std::string rightTextOf(const Field& field)
+{
+  if constexpr (isDegrees<Field>)
+    return rightTextOf(field.value());
+  else if constexpr (isOptional<Field>)
+    return alternatives({rightTextOf(typename Field::value_type{}), kAuto});
+  else if constexpr (std::is_same_v<Field, bool>)
+    return alternatives({"true", "false"});
+  else if constexpr (std::is_enum_v<Field>)
+    return alternatives(namesOf(field));
+  else
+    return std::is_integral_v<Field> ? "a whole number" : "a finite number";
 }
 
 /** False for a number that is not set (NaN), which a file leaves out. */

@@ -2,10 +2,14 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <system_error>
+#include <type_traits>
+#include <vector>
 
 namespace mrpt_mapconv::params
 {
@@ -47,12 +51,43 @@ bool readWhole(std::string_view text, Number& number)
   return true;
 }
 
+/** ASCII letters made small. */
+std::string lowerCase(std::string text);
+
+/** Reads a finite number as people write it: there may be a plus before it. \return as readWhole()
+ */
+template <class Number>
+bool readNumber(std::string_view text, Number& number)
+{
+  if (text.size() > 1 && text[0] == '+' && text[1] != '-') text.remove_prefix(1);
+  Number read{};
+  if (!readWhole(text, read)) return false;
+  if constexpr (std::is_floating_point_v<Number>)
+    if (!std::isfinite(read)) return false;
+  number = read;
+  return true;
+}
+
+/** The same, or auto, in whatever capitals, for none. */
+template <class Number>
+bool readNumberOrAuto(const std::string& text, std::optional<Number>& number)
+{
+  Number read{};
+  if (lowerCase(text) == kAuto)
+    number.reset();
+  else if (readNumber(text, read))
+    number = read;
+  else
+    return false;
+  return true;
+}
+
 /** Without the byte order mark that some editors begin UTF-8 with. */
 std::string withoutByteOrderMark(std::string text);
 /** Without the blanks, tabs and carriage returns around it. */
 std::string trimmed(std::string_view text);
-/** ASCII letters made small. */
-std::string lowerCase(std::string text);
+/** "red or green". */
+std::string alternatives(const std::vector<std::string>& names);
 /** "1 scan", "2 scans". \param noun in the singular, one that takes an s */
 std::string counted(std::size_t count, std::string_view noun);
 
