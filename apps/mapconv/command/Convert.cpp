@@ -70,12 +70,10 @@ void warnAbout(const freespace::LayerStatistics& counts, const ConversionParams&
     printWarning(
         "under most of the free cells nobody saw the ground (frontier), so they are unknown to a "
         "ground robot; for maps of few scans --floor-from lowestFree takes the lowest free voxel "
-        "for "
-        "it, seen or not");
+        "for it, seen or not");
   constexpr double kHighStep = 0.3;
   const double minStep = params.minStep(resolution);
-  const bool stepsChecked = params.looksForSteps() && params.stepHeight(resolution) <= kHighStep;
-  if (minStep > kHighStep && !stepsChecked)
+  if (minStep > kHighStep && !params.looksForSteps())
     printWarning(
         mrpt::format("the slope test marks straight steps for the ground robot only from "
                      "minStep = %.2f m on, and walls one cell thick from minThinWall = %.2f m on; "
@@ -93,10 +91,18 @@ std::vector<std::string> amongst(const std::vector<std::string>& keys,
   return names;
 }
 
+OccupancyCounts groundCounts(const freespace::LayerStatistics& counts)
+{
+  return {counts.groundFree, counts.groundOccupied, counts.groundUnknown};
+}
+
 std::string jsonSummary(const SummaryHead& head, const freespace::LayerStatistics& counts,
                         const ConversionParams& params, const Seconds& seconds)
 {
   JsonObject json = summaryJson(head, {counts.free, counts.occupied, counts.unknown});
+  const OccupancyCounts ground = groundCounts(counts);
+  json.add("groundFree", ground.free).add("groundOccupied", ground.occupied);
+  json.add("groundUnknown", ground.unknown);
   json.add("steep", counts.steep).add("slopeUnknown", counts.slopeUnknown);
   json.add("inferred", counts.inferred).add("frontier", counts.frontier);
   JsonObject parameters;
@@ -112,15 +118,21 @@ std::string textSummary(const SummaryHead& head, const freespace::LayerStatistic
 {
   std::string text = headText(head);
   text += countsText("aerial", {counts.free, counts.occupied, counts.unknown});
+  text += countsText("ground", groundCounts(counts));
   text += mrpt::format(
-      "ground       %zu of the free cells are too steep or too high a step (steep), "
-      "%zu have no known slope (slopeUnknown)\n",
-      counts.steep, counts.slopeUnknown);
+      "             %zu of the free cells of aerial are too steep, too high a step or the edge of "
+      "a "
+      "drop (steep)\n",
+      counts.steep);
   if (params.floorFrom == freespace::FloorFrom::Seen)
     text += mrpt::format(
         "evidence     under %zu of the free cells the ground was not seen but is inferred "
-        "(inferred), under %zu it is not known (frontier)\n",
+        "(inferred), "
+        "under %zu it is not known (frontier)\n",
         counts.inferred, counts.frontier);
+  else
+    text += mrpt::format("             %zu of them have no known slope (slopeUnknown)\n",
+                         counts.slopeUnknown);
   text += mrpt::format(
       "minStep      %.2f m: lowest straight step that the slope test marks\n"
       "minThinWall  %.2f m: lowest wall one cell thick that it marks, on either side; single posts "
@@ -181,9 +193,11 @@ std::pair<CLI::App*, Command> addConvert(CLI::App& app)
       "  mapconv convert building.bt -o maps --min-clearance 0.5 --max-step 0.1\n"
       "  mapconv convert drive.rawlog -o maps --resolution 0.2 -c convert.ini\n"
       "DIR gets layers.tif; voxels.bt; aerial and ground .gridmap, .pgm and .yaml; a .png of each\n"
-      "layer; map.3Dscene. It is what plan and lift work on. In the summary free, occupied and "
-      "unknown count cells of the aerial layer;\n"
-      "steep are those that are free there but not for a ground robot.");
+      "layer; map.3Dscene. It is what plan and lift work on. In the summary free, occupied and\n"
+      "unknown count cells of the aerial layer. Of the free ones steep are occupied for a ground\n"
+      "robot, frontier are unknown to it, since nobody saw the ground, and inferred have ground "
+      "that\n"
+      "was not seen itself, but around.");
   return {sub, [options] { return convert(*options); }};
 }
 

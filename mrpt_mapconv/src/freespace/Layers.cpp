@@ -68,14 +68,17 @@ LayerStatistics statistics(const Layers& layers)
   LayerStatistics count;
   for (std::size_t i = 0; i < layers.aerial.cells().size(); ++i)
   {
-    const float aerial = layers.aerial.cells()[i];
+    const float aerial = layers.aerial.cells()[i], ground = layers.ground.cells()[i];
+    count.groundFree += grid::isFree(ground);
+    count.groundOccupied += grid::isOccupied(ground);
+    count.groundUnknown += !grid::isFree(ground) && !grid::isOccupied(ground);
     if (grid::isFree(aerial))
     {
       ++count.free;
       count.frontier +=
           layers.evidence.cells()[i] == evidence::kOpen && std::isnan(layers.support.cells()[i]);
       count.inferred += layers.evidence.cells()[i] == evidence::kInferred;
-      count.steep += grid::isOccupied(layers.ground.cells()[i]);
+      count.steep += grid::isOccupied(ground);
       count.slopeUnknown += std::isnan(layers.slope.cells()[i]);
     }
     else if (grid::isOccupied(aerial))

@@ -23,7 +23,7 @@ const Description& descriptionOf(OccupancyLook look)
        {kFrontierColor, "frontier: free for a flying robot, but its ground was not seen"},
        {kSteepColor, "too steep or too high a step (free for a flying robot)"},
        {kOccupiedColor, "occupied"},
-       {kDropColor, "edge of a drop"}}};
+       {kDropColor, "edge where the ground falls away: of a drop, or of what stands there"}}};
   return all.at(static_cast<std::size_t>(look));
 }
 }  // namespace

@@ -141,7 +141,7 @@ void addGround(const Results& results, Report& report)
       "Ground maps against the true world, in cells with a 3D return",
       {"world", "map", "free: precision", "free: recall", "occupied: precision", "occupied: recall",
        "false obstacles", "of these away from everything", "truly occupied labelled free",
-       "frontier cells", "of these truly free", "low walls found", "objects found"},
+       "frontier cells", "of these truly free", "low walls within one cell", "objects within one cell"},
       {}};
   Table pairs{"ground_pairs",
               "Random start–goal pairs of a ground robot, between which there is a way in the true "

@@ -64,8 +64,9 @@ struct LayerStatistics
   std::size_t unknown = 0;       //!< aerial cells of which nothing is known
   std::size_t steep = 0;         //!< free in the aerial but occupied in the ground layer
   std::size_t slopeUnknown = 0;  //!< free cells whose slope could not be fitted
-  std::size_t frontier = 0;      //!< free cells whose ground nobody has seen and nothing tells
-  std::size_t inferred = 0;      //!< free cells whose ground is inferred from cells around
+  std::size_t groundFree = 0, groundOccupied = 0, groundUnknown = 0;  //!< ground cells likewise
+  std::size_t frontier = 0;  //!< free cells whose ground nobody has seen and nothing tells
+  std::size_t inferred = 0;  //!< free cells whose ground is inferred from cells around
 };
 LayerStatistics statistics(const Layers& layers);
 

@@ -35,7 +35,7 @@ inline const std::array<EvidenceLook, 5> kEvidenceLooks{
      {kFreeColor, "ground seen"},
      {kInferredColor, "ground inferred from what was seen around"},
      {kFrontierColor, "ground not seen: it lies at or below what is free"},
-     {kOccupiedColor, "wall"}}};
+     {kOccupiedColor, "something occupied, no free range high enough"}}};
 
 /** Colour of t in [0, 1]: dark blue over green to yellow, of evenly rising lightness, so that it
  * also reads without colour vision and in print (MRPT's jet does not). */
