@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "DenseOracle.h"
 #include "Shares.h"
@@ -9,6 +10,21 @@
 namespace mrpt_mapconv::oracle
 {
 using mrpt::math::TPoint3D;
+
+namespace
+{
+/** The part of a straight piece in a column; nothing if it only touches it. */
+std::optional<Shares> partIn(int kx, int ky, double res, const TPoint3D& from, const TPoint3D& to)
+{
+  Shares shares;
+  shares.cut(from.x, to.x, kx * res, (kx + 1) * res);
+  shares.cut(from.y, to.y, ky * res, (ky + 1) * res);
+  const double length = std::hypot(to.x - from.x, to.y - from.y);
+  if (shares.end < shares.begin) return std::nullopt;
+  if (length > 0 && (shares.end - shares.begin) * length <= 1e-6 * res) return std::nullopt;
+  return shares;
+}
+}  // namespace
 
 PieceOracle::PieceOracle(const DenseMap& map, const freespace::ConversionParams& conversion,
                          freespace::Robot robot, double heightOffset)
@@ -30,18 +46,26 @@ bool PieceOracle::crossesOccupied(const TPoint3D& from, const TPoint3D& to) cons
       {
         if (m_map.at(ix, iy, iz) != Voxel::Occupied) continue;
         const int kx = m_map.x0 + ix, ky = m_map.y0 + iy, kz = m_map.z0 + iz;
-        Shares shares;
-        shares.cut(from.x, to.x, kx * res, (kx + 1) * res);
-        shares.cut(from.y, to.y, ky * res, (ky + 1) * res);
-        const double length = std::hypot(to.x - from.x, to.y - from.y);
-        if (shares.end < shares.begin) continue;
-        if (length > 0 && (shares.end - shares.begin) * length <= 1e-6 * res) continue;
-        const double a = from.z + shares.begin * (to.z - from.z);
-        const double b = from.z + shares.end * (to.z - from.z);
+        const std::optional<Shares> part = partIn(kx, ky, res, from, to);
+        if (!part) continue;
+        const double a = from.z + part->begin * (to.z - from.z);
+        const double b = from.z + part->end * (to.z - from.z);
         if (std::max(a, b) + m_bodyHigh > kz * res + kTouch &&
             std::min(a, b) + m_bodyLow < (kz + 1) * res - kTouch)
           return true;
       }
+  return false;
+}
+
+bool PieceOracle::crossesUnseenGround(const freespace::Layers& layers, const TPoint3D& from,
+                                      const TPoint3D& to) const
+{
+  const grid::GridFrame& frame = layers.frame();
+  for (int iy = 0; iy < frame.height; ++iy)
+    for (int ix = 0; ix < frame.width; ++ix)
+      if (!std::isnan(layers.floor.at(ix, iy)) && std::isnan(layers.support.at(ix, iy)) &&
+          partIn(frame.x0 + ix, frame.y0 + iy, frame.resolution, from, to))
+        return true;
   return false;
 }
 

@@ -2,6 +2,7 @@
 
 #include <mrpt/math/TPoint3D.h>
 #include <mrpt_mapconv/freespace/ConversionParams.h>
+#include <mrpt_mapconv/freespace/Layers.h>
 #include <mrpt_mapconv/freespace/Robot.h>
 
 #include "DenseMap.h"
@@ -19,6 +20,11 @@ class PieceOracle
   /** Whether the piece (of a ground robot: what the robot sweeps) goes through a voxel that is
    * occupied, by more than a touch. */
   bool crossesOccupied(const mrpt::math::TPoint3D& from, const mrpt::math::TPoint3D& to) const;
+
+  /** Whether the piece goes through a cell, by more than a touch, that has a floor but no support.
+   */
+  bool crossesUnseenGround(const freespace::Layers& layers, const mrpt::math::TPoint3D& from,
+                           const mrpt::math::TPoint3D& to) const;
 
   /** Whether heights differ by more than max(maxStep, one voxel, maxSlope · distance). */
   bool stepTooHigh(double fromZ, double toZ, double distance) const;

@@ -67,7 +67,7 @@ double supportBelow(const freespace::Layers& layers, const mrpt::math::TPoint3D&
 TEST(PieceCheck, FindsWhatTheVoxelsSay)
 {
   constexpr double kResolutions[] = {0.05, 0.07, 0.1, 0.3};
-  int crossing = 0, clear = 0, steps = 0, groundSteps = 0;
+  int crossing = 0, clear = 0, steps = 0, groundSteps = 0, unseen = 0;
   for (unsigned seed = 0; seed < 1500 && !HasFatalFailure(); ++seed)
   {
     SCOPED_TRACE("seed " + std::to_string(seed));
@@ -118,12 +118,17 @@ TEST(PieceCheck, FindsWhatTheVoxelsSay)
           truth.stepTooHigh(before, behind, std::hypot(to.x - from.x, to.y - from.y));
       ASSERT_EQ(found(Kind::FloorStep, i), rises) << from << " to " << to;
       groundSteps += rises;
+      const bool overUnseen =
+          params.robot == freespace::Robot::Ground && truth.crossesUnseenGround(layers, from, to);
+      ASSERT_EQ(found(Kind::UnseenGround, i), overUnseen) << from << " to " << to;
+      unseen += overUnseen;
     }
   }
   EXPECT_GT(crossing, 500);
   EXPECT_GT(clear, 500);
   EXPECT_GT(steps, 200);
   EXPECT_GT(groundSteps, 100);
+  EXPECT_GT(unseen, 100);
 }
 
 }  // namespace

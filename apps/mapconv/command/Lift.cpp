@@ -103,9 +103,10 @@ std::pair<CLI::App*, Command> addLift(CLI::App& app)
   sub->footer(
       "Example:\n  mapconv lift maps path2d.csv --robot aerial --safety-radius 0.3 -o path3d.csv\n"
       "Points are added until they lie no further apart than a cell. If one of them cannot be\n"
-      "reached, or not straight from the one before (a step too high for a ground robot, "
-      "something\n"
-      "occupied in between), the program says which and why, and writes nothing.");
+      "reached, or not straight from the one before (something occupied in between; for a ground\n"
+      "robot also a step too high, or ground that nobody saw), the program says which and why, "
+      "and\n"
+      "writes nothing.");
   return {sub, [options] { return lift(*options); }};
 }
 

@@ -1,3 +1,4 @@
+#include <mrpt_mapconv/freespace/Evidence.h>
 #include <mrpt_mapconv/freespace/RobotLayers.h>
 #include <mrpt_mapconv/grid/CellKey.h>
 #include <mrpt_mapconv/grid/OccupancyCell.h>
@@ -25,6 +26,15 @@ double heightBelow(const grid::Layer<float>& heights, const TPoint3D& at)
   const grid::GridFrame& frame = heights.frame();
   return static_cast<double>(heights.cells()[frame.indexOfKey(
       grid::cellKey(at.x, frame.resolution), grid::cellKey(at.y, frame.resolution))]);
+}
+
+/** Whether a ground robot has nothing to stand on in a column that has free space. */
+bool isUnseenGround(const Layers& layers, const SegmentColumn& column)
+{
+  const grid::GridFrame& frame = layers.frame();
+  if (!frame.containsKey(column.kx, column.ky)) return false;
+  const std::size_t cell = frame.indexOfKey(column.kx, column.ky);
+  return !std::isnan(layers.floor.cells()[cell]) && std::isnan(layers.support.cells()[cell]);
 }
 
 /** What a body meets in a column, as far as the layers alone tell. */
@@ -56,12 +66,36 @@ void forEachPiece(const LiftedPath& path, const Visit& visit)
       visit(i, path.points[i - 1].position, path.points[i].position);
 }
 
+/** Appends for each piece the first problem in the columns that it crosses.
+ * \param problemIn gives a column's, if there is one, without index and place */
+template <class ProblemIn>
+void addFirstOfPieces(const LiftedPath& path, double resolution, const ProblemIn& problemIn,
+                      std::vector<PieceProblem>& found)
+{
+  forEachPiece(path,
+               [&](std::size_t index, const TPoint3D& from, const TPoint3D& to)
+               {
+                 for (const SegmentColumn& column : columnsOf(from, to, resolution))
+                   if (std::optional<PieceProblem> problem = problemIn(column))
+                   {
+                     const TPoint3D at = (column.from + column.to) * 0.5;
+                     problem->index = index;
+                     problem->place = {at.x, at.y};
+                     found.push_back(*problem);
+                     return;
+                   }
+               });
+}
+
 }  // namespace
 
 std::string PieceProblem::inWords() const
 {
   char text[240];
-  if (kind == Kind::Occupied)
+  if (kind == Kind::UnseenGround)
+    std::snprintf(text, sizeof(text), "at (%.2f, %.2f): on the straight way between two points, %s",
+                  place.x, place.y, freespace::evidence::kOpenInWords);
+  else if (kind == Kind::Occupied)
     std::snprintf(text, sizeof(text),
                   "at (%.2f, %.2f): the straight way between two points meets something occupied "
                   "between the heights of %.2f m and %.2f m",
@@ -94,6 +128,7 @@ std::vector<PieceProblem> PieceCheck::problems(const LiftedPath& path) const
   {
     addSteps(path, Kind::FloorStep, found);
     addSteps(path, Kind::HeightStep, found);
+    addUnseenGround(path, found);
   }
   addCrossings(path, found);
   return found;
@@ -120,6 +155,17 @@ void PieceCheck::addSteps(const LiftedPath& path, Kind kind, std::vector<PiecePr
                });
 }
 
+void PieceCheck::addUnseenGround(const LiftedPath& path, std::vector<PieceProblem>& found) const
+{
+  PieceProblem unseen;
+  unseen.kind = Kind::UnseenGround;
+  addFirstOfPieces(
+      path, m_layers.frame().resolution,
+      [&](const SegmentColumn& column)
+      { return isUnseenGround(m_layers, column) ? std::optional(unseen) : std::nullopt; },
+      found);
+}
+
 void PieceCheck::addCrossings(const LiftedPath& path, std::vector<PieceProblem>& found) const
 {
   const bool ground = m_params.robot == Robot::Ground;
@@ -127,28 +173,18 @@ void PieceCheck::addCrossings(const LiftedPath& path, std::vector<PieceProblem>&
   const HeightRange body =
       ground ? groundBody(m_limit, m_minClearance) + -m_params.heightOffset : HeightRange{0, 0};
   if (body.empty()) return;
-  const double resolution = m_layers.frame().resolution;
   std::optional<VoxelLookup> voxels;
   if (m_voxels) voxels.emplace(*m_voxels);
-  const auto hitIn = [&](const SegmentColumn& column)
+  const auto problemIn = [&](const SegmentColumn& column) -> std::optional<PieceProblem>
   {
     const HeightRange swept{std::min(column.from.z, column.to.z) + body.low,
                             std::max(column.from.z, column.to.z) + body.high};
-    return voxels ? voxels->lowestOccupied(column.kx, column.ky, swept)
-                  : outsideFreeRange(m_layers, m_params.robot, column, swept);
+    const auto hit = voxels ? voxels->lowestOccupied(column.kx, column.ky, swept)
+                            : outsideFreeRange(m_layers, m_params.robot, column, swept);
+    if (!hit) return std::nullopt;
+    return PieceProblem{Kind::Occupied, 0, {}, hit->low, hit->high, 0, 0};
   };
-  forEachPiece(
-      path,
-      [&](std::size_t index, const TPoint3D& from, const TPoint3D& to)
-      {
-        for (const SegmentColumn& column : columnsOf(from, to, resolution))
-          if (const auto hit = hitIn(column))
-          {
-            const TPoint3D at = (column.from + column.to) * 0.5;
-            found.push_back({Kind::Occupied, index, {at.x, at.y}, hit->low, hit->high, 0, 0});
-            return;
-          }
-      });
+  addFirstOfPieces(path, m_layers.frame().resolution, problemIn, found);
 }
 
 }  // namespace mrpt_mapconv::path

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 #include <mrpt/opengl/COpenGLScene.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <random>
@@ -153,6 +154,42 @@ TEST_F(GroundPaths, EndAtACliffAndSayWhy)
       contains(edge.err, "goal (0.92, 0) m is in an occupied cell: it is the edge of a drop"))
       << edge.err;
   EXPECT_EQ(0, plan("-5,0", "0.5,0", "0.3").status);
+}
+
+TEST_F(GroundPaths, CutNoCornerOfGroundThatNobodySaw)
+{
+  const std::string file = kShared + "geb079.bt";
+  if (!std::filesystem::exists(file)) GTEST_SKIP();
+  convert(file);
+  const Raster raster = readRaster(map() + "/layers.tif");
+  const double res = raster.transform[1];
+  const double xMin = raster.transform[0], yMin = raster.transform[3] - raster.height * res;
+  const auto at = [&](std::size_t band, int x, int y)
+  { return raster.bands.at(band).cells[static_cast<std::size_t>(y * raster.width + x)]; };
+  int cut = 0;
+  for (int y = 1; y < raster.height && cut < 3; ++y)
+    for (int x = 1; x < raster.width && cut < 3; ++x)
+    {
+      const double step = std::abs(at(5, x - 1, y) - at(5, x, y - 1));  // NaN without ground
+      if (std::isnan(at(0, x, y)) || !std::isnan(at(5, x, y)) || !(step < 0.1)) continue;
+      // from the cell on its left to the one below, just past its lower left corner
+      const auto place = [&](double dx, double dy) {
+        return std::to_string(xMin + (x + dx) * res) + "," + std::to_string(yMin + (y + dy) * res);
+      };
+      const std::string path = straight(place(-0.3, 0.4), place(0.4, -0.3));
+      for (const bool hasVoxels : {true, false})
+      {
+        if (!hasVoxels) std::filesystem::rename(map() + "/voxels.bt", m_dir.path("away"));
+        const Outcome lifted = lift(path);
+        EXPECT_EQ(1, lifted.status) << lifted.out;
+        EXPECT_TRUE(contains(lifted.err,
+                             "on the straight way between two points, nobody saw the ground there"))
+            << lifted.err;
+      }
+      std::filesystem::rename(m_dir.path("away"), map() + "/voxels.bt");
+      ++cut;
+    }
+  EXPECT_EQ(3, cut);
 }
 
 TEST_F(GroundPaths, DoNotLeadThroughAPillarThatBeginsAboveTheGround)

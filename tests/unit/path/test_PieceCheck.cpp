@@ -160,6 +160,34 @@ TEST(PieceCheck, StepsOfAGroundRobotAreThoseOfTheSupport)
   EXPECT_EQ(steps[0].to, -1);
 }
 
+TEST(PieceCheck, AGroundRobotCutsNoCornerOfGroundThatNobodySaw)
+{
+  auto layers = test::withSeenGround(test::flatLayers());
+  layers.support.at(4, 4) = freespace::Layers::kNone;
+  layers.evidence.at(4, 4) = freespace::evidence::kOpen;
+  const auto found = [&](const LiftParams& params, const voxel::VoxelSource* voxels)
+  {
+    const std::vector<TPoint3D> corner{{0.9, 1.11, 0}, {1.15, 1.36, 0}};  // over (4, 4)
+    return PieceCheck(layers, {}, params, voxels).problems(pathOf(corner));
+  };
+  test::HandMap map(0.25);
+  map.free(4, 4, 0, 12);
+  for (const voxel::VoxelSource* voxels :
+       std::initializer_list<const voxel::VoxelSource*>{nullptr, &map.source()})
+  {
+    const auto unseen = found(test::ground(0, 0), voxels);
+    ASSERT_EQ(unseen.size(), 1u);
+    EXPECT_EQ(unseen[0].kind, Kind::UnseenGround);
+    EXPECT_EQ(unseen[0].index, 1u);
+    EXPECT_EQ(unseen[0].inWords(),
+              "at (1.02, 1.23): on the straight way between two points, nobody saw the ground "
+              "there, and none that was seen around tells where it is");
+    EXPECT_TRUE(found(test::sphere(0), voxels).empty()) << "a flying robot needs none";
+  }
+  test::block(layers, 4, 4, grid::kUnknown);
+  EXPECT_TRUE(found(test::ground(0, 0), nullptr).empty()) << "unknown cells are in nobody's way";
+}
+
 TEST(PieceCheck, UnknownVoxelsBelowAFreeRangeAreInNoGroundRobotsWay)
 {
   const auto hits = [](float floor, float support, const LiftParams& params, double z)
