@@ -123,13 +123,15 @@ class GroundEditor
   voxel::ColumnSet m_changed;
 };
 
-/** Leaves a part of a map, so that it grows when the rest is edited. */
+/** Leaves a part of a map, so that it grows to all sides when the rest is edited. */
 void forgetAllBut(Rng& rng, DenseMap& map)
 {
-  const int xEnd = pick(rng, 1, map.nx), yEnd = pick(rng, 1, map.ny);
+  const int x = pick(rng, 0, map.nx - 1), y = pick(rng, 0, map.ny - 1);
+  const int xEnd = pick(rng, x + 1, map.nx), yEnd = pick(rng, y + 1, map.ny);
   for (int iy = 0; iy < map.ny; ++iy)
     for (int ix = 0; ix < map.nx; ++ix)
-      if (ix >= xEnd || iy >= yEnd) setColumn(rng, map, ix, iy, ColumnKind::None, 0);
+      if (ix < x || iy < y || ix >= xEnd || iy >= yEnd)
+        setColumn(rng, map, ix, iy, ColumnKind::None, 0);
 }
 
 void expectOnlySaidOnesChanged(const freespace::Layers& before, const freespace::Layers& after,
@@ -165,6 +167,7 @@ TEST(EvidenceIncremental, RandomEditsEqualFullConversions)
       SCOPED_TRACE("seed " + std::to_string(seed) + ", step " + std::to_string(step) + "; " +
                    text(params));
       const voxel::ColumnSet changed = editor.edit();
+      if (chance(rng, 10)) followed = IncrementalLayers(followed);  // a copy goes on as well
       const freespace::Layers before = followed.layers();
       const freespace::LayersChange change = followed.update(source, changed);
       if (!source.bounds()) break;

@@ -370,4 +370,28 @@ TEST(Incremental, AFailedUpdateIsMadeUpFor)
   }
 }
 
+TEST(Incremental, ARebuildThatFailsChangesNothing)
+{
+  for (unsigned seed = 1; seed <= 30 && !HasFailure(); ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Rng rng(seed);
+    MapEditor editor(rng, 0.1, pick(rng, -60, 60), pick(rng, -60, 60), 0);
+    const Source source(editor.tree());
+    FailingSource failing(source);
+    freespace::IncrementalLayers followed(randomParams(rng, 0.1), 1);
+    followed.rebuild(failing);
+    voxel::ColumnSet changed;
+    for (int i = 0; i < 5; ++i) changed.insert(editor.edit());
+    failing.failAfter(0);
+    if (source.bounds())
+    {
+      EXPECT_THROW(followed.rebuild(failing), std::bad_alloc);
+    }
+    failing.failAfter(1'000'000);
+    followed.update(failing, changed);
+    expectFollows(followed, source);
+  }
+}
+
 }  // namespace

@@ -29,8 +29,7 @@ struct RobotPath
  *
  * A ground robot is not led over steps of the ground (Layers::support) that are higher than
  * path::StepLimit allows from one cell to the next; where there is no way without one, the problem
- * names it. With a voxel map also those cells are obstacles over whose inferred ground something
- * occupied is in its way, though they are free in the layer: free space may begin far above it.
+ * names it.
  *
  * Occupancy does not tell whether a sphere fits in between the floors and ceilings around a place.
  * Where the lifted way shows that it does not, that is looked at and the way is planned anew: cells
