@@ -237,7 +237,7 @@ TEST(SimulationFiles, PicturesSayWhatTheyAre)
   std::vector<mrpt_mapconv::grid::StyledLayer> pictures{
       {"floor", nullptr, "Truth: bottom of the lowest gap", "m", LayerKind::Height},
       {"ceiling", nullptr, "Truth: top of the highest gap", "m", LayerKind::Height},
-      {"slope", nullptr, "Truth: slope of the floor", "m/m", LayerKind::Slope},
+      {"slope", nullptr, "Truth: slope of the ground", "m/m", LayerKind::Slope},
       {"aerial", nullptr, "Truth: occupancy for an aerial robot", "", LayerKind::Occupancy},
       {"ground", nullptr, "Truth: occupancy for a ground robot", "", LayerKind::Occupancy},
       {"inView", nullptr, "In view: 3D returns per cell (log10)", "log10(returns)",
