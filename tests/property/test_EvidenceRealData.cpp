@@ -77,8 +77,8 @@ TEST(EvidenceOfRealData, AgreesWithTheOracleOnTheFence) { expectAgreesOn("report
 
 TEST(EvidenceOfRealData, AgreesWithTheOracleOnCasoplon) { expectAgreesOn("real/casoplon.bt", 50); }
 
-/** Free inferred cells with an occupied voxel more than a step and less than minClearance over their
- * ground: by all voxels. */
+/** Free inferred cells with an occupied voxel more than a step and less than minClearance over
+ * their ground: by all voxels. */
 int blockedCells(const DenseMap& map, const Layers& layers, const ConversionParams& params)
 {
   const double step = params.maxStepVoxels(map.resolution) * map.resolution;

@@ -235,8 +235,8 @@ TEST_F(Convert, oneThreadOrManyMakeNoDifference)
 {
   const TempDir dir;
   for (const std::string threads : {"1", "2"})
-    ASSERT_EQ(0, mapconv({"convert", input(), "-o", dir.path(threads), "--paper", "--slope-window", "1",
-                          "--threads", threads})
+    ASSERT_EQ(0, mapconv({"convert", input(), "-o", dir.path(threads), "--paper", "--slope-window",
+                          "1", "--threads", threads})
                      .status);
   for (const std::string name : {"layers.tif", "aerial.pgm", "ground.pgm"})
     EXPECT_EQ(readBytes(output(name)), readBytes(dir.path("1/" + name))) << name;

@@ -136,13 +136,13 @@ class Targets
 
 void addGround(const Results& results, Report& report)
 {
-  Table cells{
-      "ground_cells",
-      "Ground maps against the true world, in cells with a 3D return",
-      {"world", "map", "free: precision", "free: recall", "occupied: precision", "occupied: recall",
-       "false obstacles", "of these away from everything", "truly occupied labelled free",
-       "frontier cells", "of these truly free", "low walls within one cell", "objects within one cell"},
-      {}};
+  Table cells{"ground_cells",
+              "Ground maps against the true world, in cells with a 3D return",
+              {"world", "map", "free: precision", "free: recall", "occupied: precision",
+               "occupied: recall", "false obstacles", "of these away from everything",
+               "truly occupied labelled free", "frontier cells", "of these truly free",
+               "low walls within one cell", "objects within one cell"},
+              {}};
   Table pairs{"ground_pairs",
               "Random start–goal pairs of a ground robot, between which there is a way in the true "
               "map",
