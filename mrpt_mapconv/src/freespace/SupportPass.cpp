@@ -230,7 +230,7 @@ float SupportPass::supportOf(std::int32_t ix, std::int32_t iy) const
   {
     const std::int32_t forth = stepsToSeen(ix, iy, dx, dy);
     const std::int32_t back = forth == 0 ? 0 : stepsToSeen(ix, iy, -dx, -dy);
-    if (back == 0) continue;
+    if (back == 0 || back + forth > m_rules.reach) continue;
     const std::int32_t x = ix - back * dx, y = iy - back * dy;
     const SupportLine line{
         x, y, dx, dy, back + forth, keyAt(x, y), keyAt(ix + forth * dx, iy + forth * dy)};

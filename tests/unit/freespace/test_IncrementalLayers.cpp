@@ -95,6 +95,20 @@ TEST(IncrementalLayers, WhatStandsUnderAFloorIsFollowed)
   EXPECT_EQ(layers.layers().support.at(1, 0), 0);
 }
 
+TEST(IncrementalLayers, NoGapIsSoLongThatItsSquareIsShort)
+{
+  HandMap map(0.05);
+  for (const int kx : {-25000, 25000}) map.occupied(kx, 0, -1, 0).free(kx, 0, 0, 30);
+  freespace::ConversionParams params;
+  params.maxGap = 1300;  // m; the gap is 2500 m, 50 000 cells
+  IncrementalLayers layers(params, 1);
+  layers.rebuild(map.source());
+  map.free(0, 0, 0, 30);
+  layers.update(map.source(), columns({{0, 0}}));
+  EXPECT_TRUE(std::isnan(layers.layers().support.at(25000, 0)));
+  EXPECT_EQ(layers.layers().floor.at(25000, 0), 0);
+}
+
 TEST(IncrementalLayers, AWallsOccupancyFollowsItsNeighbour)
 {
   HandMap map(0.1);
