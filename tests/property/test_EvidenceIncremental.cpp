@@ -7,6 +7,7 @@
 
 #include "CompareLayers.h"
 #include "DenseSource.h"
+#include "FailingSource.h"
 #include "RandomGround.h"
 
 namespace
@@ -177,6 +178,27 @@ TEST(EvidenceIncremental, RandomEditsEqualFullConversions)
       if (!change.everywhere) expectOnlySaidOnesChanged(before, followed.layers(), change.columns);
     }
   }
+}
+
+TEST(EvidenceIncremental, ARebuildThatFailsChangesNothing)
+{
+  int failures = 0;
+  for (unsigned seed = 1; seed <= 500 && !HasFailure(); ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Rng rng(seed);
+    DenseMap map = randomGround(rng, 0.1);
+    const DenseSource source(map);
+    FailingSource failing(source);
+    IncrementalLayers followed(randomGroundParams(rng, map.resolution), 1);
+    followed.rebuild(failing);
+    const voxel::ColumnSet changed = GroundEditor(rng, map).edit();
+    failures += failing.failsIn(pick(rng, 0, 2), [&] { followed.rebuild(failing); });
+    followed.update(failing, changed);
+    if (!source.bounds()) continue;
+    EXPECT_TRUE(sameBits(followed.exact(source), freespace::convert(source, followed.params(), 1)));
+  }
+  EXPECT_GT(failures, 100);
 }
 
 }  // namespace

@@ -102,12 +102,14 @@ int blockedCells(const DenseMap& map, const Layers& layers, const ConversionPara
 
 TEST(EvidenceOfRealData, NothingIsKnownToStandOnGroundThatIsInferred)
 {
-  for (const std::string name : {"geb079.bt", "real/casoplon.bt", "real/catec.bt"})
+  const std::filesystem::path shared = MRPT_MAPCONV_SHARED_DIR;
+  const std::string names[] = {"geb079.bt", "real/casoplon.bt", "real/catec.bt"};
+  for (const std::string& name : names)
+    if (!std::filesystem::exists(shared / name)) GTEST_SKIP() << name << " is not there";
+  for (const std::string& name : names)
   {
-    const std::filesystem::path file = std::filesystem::path(MRPT_MAPCONV_SHARED_DIR) / name;
-    if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not there";
     octomap::OcTree tree(0.1);
-    ASSERT_TRUE(tree.readBinary(file.string()));
+    ASSERT_TRUE(tree.readBinary((shared / name).string()));
     for (const double minClearance : {0.5, 1.0, 1.5})
     {
       ConversionParams params;

@@ -120,18 +120,16 @@ std::string textSummary(const SummaryHead& head, const freespace::LayerStatistic
   text += countsText("aerial", {counts.free, counts.occupied, counts.unknown});
   text += countsText("ground", groundCounts(counts));
   text += mrpt::format(
-      "             %zu of the free cells of aerial are too steep, too high a step or the edge of "
-      "a "
-      "drop (steep)\n",
+      "             of the free cells of aerial %zu are too steep, a step or an edge (steep)\n",
       counts.steep);
   if (params.floorFrom == freespace::FloorFrom::Seen)
     text += mrpt::format(
-        "evidence     under %zu of the free cells the ground was not seen but is inferred "
-        "(inferred), "
-        "under %zu it is not known (frontier)\n",
+        "evidence     of the free cells %zu have ground that is inferred, not seen (inferred), "
+        "and\n"
+        "             %zu have ground that is not known (frontier)\n",
         counts.inferred, counts.frontier);
   else
-    text += mrpt::format("             %zu of them have no known slope (slopeUnknown)\n",
+    text += mrpt::format("             and %zu have no known slope (slopeUnknown)\n",
                          counts.slopeUnknown);
   text += mrpt::format(
       "minStep      %.2f m: lowest straight step that the slope test marks\n"
@@ -195,9 +193,8 @@ std::pair<CLI::App*, Command> addConvert(CLI::App& app)
       "DIR gets layers.tif; voxels.bt; aerial and ground .gridmap, .pgm and .yaml; a .png of each\n"
       "layer; map.3Dscene. It is what plan and lift work on. In the summary free, occupied and\n"
       "unknown count cells of the aerial layer. Of the free ones steep are occupied for a ground\n"
-      "robot, frontier are unknown to it, since nobody saw the ground, and inferred have ground "
-      "that\n"
-      "was not seen itself, but around.");
+      "robot, frontier are unknown to it, since nobody saw the ground, and inferred have ground\n"
+      "that was not seen itself, but around.");
   return {sub, [options] { return convert(*options); }};
 }
 

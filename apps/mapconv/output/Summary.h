@@ -29,10 +29,9 @@ std::string headText(const SummaryHead& head);
 /** The line with the counts, in cells and as shares of all cells. `label` is up to 11 characters.
  */
 std::string countsText(const std::string& label, const OccupancyCounts& counts);
-/** The last line: the stages and how long they took. */
 /** "FROM -> TO": one line, whatever the names of files hold. */
 std::string fromTo(const std::string& from, const std::string& to);
-
+/** The last line: the stages and how long they took. */
 std::string secondsText(const Seconds& seconds);
 
 /** The JSON object with what every summary has. */

@@ -19,8 +19,7 @@ struct BlockJob
   voxel::ColumnMask changed{};  //!< columns whose voxels may have changed: to be read
   voxel::ColumnMask reach{};  //!< columns whose layers may depend on those, here or in other blocks
 
-  voxel::ColumnMask
-      newGround{};  //!< of `changed`: the floor, its evidence or what is near it differs
+  voxel::ColumnMask newGround{};   //!< of `changed`: floor, evidence or OpenColumn differs
   voxel::ColumnMask newSpan{};     //!< of `changed`: floor or ceiling differs
   voxel::ColumnMask newAerial{};   //!< of `reach`: the aerial occupancy differs
   std::vector<OpenColumn> open;    //!< of `changed`, those in which something is, in their order

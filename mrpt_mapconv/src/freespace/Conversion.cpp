@@ -92,7 +92,7 @@ class Strips
  * were blank. */
 struct Differences
 {
-  voxel::ColumnSet newGround;        //!< floor or evidence
+  voxel::ColumnSet newGround;        //!< floor, evidence or OpenColumn
   voxel::ColumnSet newAerial;        //!< aerial occupancy
   voxel::ColumnSet::Blocks newSpan;  //!< floor or ceiling, in blocks that are still looked at
 };

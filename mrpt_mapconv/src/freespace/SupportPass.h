@@ -57,14 +57,13 @@ class SupportPass
   template <class Visit>
   bool forEachOpen(const SupportLine& line, const Visit& visit) const;
   bool isGround(const SupportLine& line) const;
+  bool isBlocked(const SupportLine& line, std::int32_t k, std::int32_t floor) const;
   float heightAt(const SupportLine& line, std::int32_t k) const;
   std::int32_t stepsToSeen(std::int32_t ix, std::int32_t iy, std::int32_t dx,
                            std::int32_t dy) const;
   float supportOf(std::int32_t ix, std::int32_t iy) const;
   void addAround(std::int32_t kx, std::int32_t ky, const voxel::ColumnSet& changed,
                  voxel::ColumnSet& open) const;
-
-  bool isBlocked(const SupportLine& line, std::int32_t k, std::int32_t floor) const;
 
   const OpenColumns& m_open;
   Layers& m_layers;

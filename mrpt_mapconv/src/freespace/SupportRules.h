@@ -82,8 +82,9 @@ struct SupportRules
   {
     const bool stands =
         open.under != OpenColumn::kNone && !isWithin(standing, line, k, floor - open.under);
-    const bool hangs = open.above != OpenColumn::kNone &&
-                       (floor + open.above) * line.n < line.timesN(k) + clearance * line.n;
+    const bool hangs =
+        open.above != OpenColumn::kNone &&
+        (floor + open.above) * line.n < line.timesN(k) + std::int64_t{clearance} * line.n;
     return stands || hangs;
   }
   /** How far over a floor things are looked for that may hang too low over a line [voxels]. */

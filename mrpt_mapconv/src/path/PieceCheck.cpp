@@ -56,6 +56,13 @@ std::optional<HeightRange> outsideFreeRange(const Layers& layers, Robot robot,
   return std::nullopt;
 }
 
+/** What of a ground robot must be clear, over what it stands on; empty if it is no higher than what
+ * it climbs. */
+HeightRange groundBody(const StepLimit& limit, double minClearance)
+{
+  return {limit.least(), minClearance};
+}
+
 /** Calls visit(index of its end, begin, end) for each piece between points that can be reached. */
 template <class Visit>
 void forEachPiece(const LiftedPath& path, const Visit& visit)

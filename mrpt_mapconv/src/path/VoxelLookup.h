@@ -17,14 +17,14 @@ class VoxelLookup
  public:
   explicit VoxelLookup(const voxel::VoxelSource& source) : m_source(source) {}
 
-  /** The lowest occupied one among the voxels [zBegin, zEnd) of a column. */
-  std::optional<std::int32_t> lowestOccupied(std::int32_t kx, std::int32_t ky, std::int32_t zBegin,
-                                             std::int32_t zEnd);
   /** The lowest one that a body meets in a column; touching is no meeting. */
   std::optional<HeightRange> lowestOccupied(std::int32_t kx, std::int32_t ky,
                                             const HeightRange& body);
 
  private:
+  /** The lowest occupied one among the voxels [zBegin, zEnd) of a column. */
+  std::optional<std::int32_t> lowestOccupied(std::int32_t kx, std::int32_t ky, std::int32_t zBegin,
+                                             std::int32_t zEnd);
   const voxel::ColumnBlock& blockAt(std::int32_t kx, std::int32_t ky);
 
   const voxel::VoxelSource& m_source;

@@ -97,12 +97,14 @@ TEST_F(GroundPaths, SceneWithoutAVoxelMapSaysWhatItsColoursMean)
 
 TEST_F(GroundPaths, LiftTakesWhatPlanWritesOnRealMaps)
 {
+  const std::pair<const char*, const char*> maps[] = {
+      {"geb079.bt", "0.16"}, {"real/casoplon.bt", "0.2"}, {"real/catec.bt", "0.2"}};
+  for (const auto& [name, maxStep] : maps)
+    if (!std::filesystem::exists(kShared + name)) GTEST_SKIP() << name << " is not there";
   int planned = 0;
   double inferred = 0;
-  for (const auto& [name, maxStep] :
-       {std::pair{"geb079.bt", "0.16"}, {"real/casoplon.bt", "0.2"}, {"real/catec.bt", "0.2"}})
+  for (const auto& [name, maxStep] : maps)
   {
-    if (!std::filesystem::exists(kShared + name)) GTEST_SKIP() << name << " is not there";
     convert(kShared + name, maxStep);
     const Raster raster = readRaster(map() + "/layers.tif");
     const auto& ground = raster.bands.at(4).cells;
@@ -141,7 +143,8 @@ TEST_F(GroundPaths, LiftTakesWhatPlanWritesOnRealMaps)
 
 TEST_F(GroundPaths, EndAtACliffAndSayWhy)
 {
-  if (!std::filesystem::exists(kShared + "reports")) GTEST_SKIP();
+  if (!std::filesystem::exists(kShared + "reports"))
+    GTEST_SKIP() << kShared << "reports is not there";
   convert(kShared + "reports/cliff.bt");
   const std::string unseen = "nobody saw the ground there";
   const Outcome over = lift(straight("-5,0", "3,0"));
@@ -159,7 +162,7 @@ TEST_F(GroundPaths, EndAtACliffAndSayWhy)
 TEST_F(GroundPaths, CutNoCornerOfGroundThatNobodySaw)
 {
   const std::string file = kShared + "geb079.bt";
-  if (!std::filesystem::exists(file)) GTEST_SKIP();
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not there";
   convert(file);
   const Raster raster = readRaster(map() + "/layers.tif");
   const double res = raster.transform[1];
@@ -195,7 +198,7 @@ TEST_F(GroundPaths, CutNoCornerOfGroundThatNobodySaw)
 TEST_F(GroundPaths, DoNotLeadThroughAPillarThatBeginsAboveTheGround)
 {
   const std::string file = kShared + "real/casoplon.bt";
-  if (!std::filesystem::exists(file)) GTEST_SKIP();
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not there";
   // at (12.3, 7.7) m something stands from 1.6 m on; free space begins above it, at 5 m
   convert(file);
   const Outcome into = plan("3,3", "12.3,7.7", "0");

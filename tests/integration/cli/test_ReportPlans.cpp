@@ -73,7 +73,7 @@ class ReportPlans : public ::testing::Test
 
 TEST_F(ReportPlans, CasoplonIsCrossedOnTheLevel)
 {
-  if (!std::filesystem::exists(kShared + "real")) GTEST_SKIP();
+  if (!std::filesystem::exists(kShared + "real")) GTEST_SKIP() << kShared << "real is not there";
   ASSERT_EQ(0, convert(kShared + "real/casoplon.bt").status);
   const Outcome run = plan("ground", "3,3", "10,7", "0.2", {"--json"});
   ASSERT_EQ(0, run.status) << run.err;
@@ -83,7 +83,8 @@ TEST_F(ReportPlans, CasoplonIsCrossedOnTheLevel)
 
 TEST_F(ReportPlans, AFenceThatTheSlopeTestMissesIsNoWay)
 {
-  if (!std::filesystem::exists(kShared + "reports")) GTEST_SKIP();
+  if (!std::filesystem::exists(kShared + "reports"))
+    GTEST_SKIP() << kShared << "reports is not there";
   ASSERT_EQ(0, convert(kShared + "reports/fence09.bt", {"--paper"}).status);
   expectWords(plan("ground", "-3,0", "3,0", "0.3"),
               {"no path", "at (0.0", "from 0.00 m to 0.90 m",
@@ -97,7 +98,7 @@ TEST_F(ReportPlans, AFenceThatTheSlopeTestMissesIsNoWay)
 
 TEST_F(ReportPlans, FlightsThatAreMissedSayWhatWouldHelp)
 {
-  if (!std::filesystem::exists(kShared + "real")) GTEST_SKIP();
+  if (!std::filesystem::exists(kShared + "real")) GTEST_SKIP() << kShared << "real is not there";
   ASSERT_EQ(0, convert(kShared + "real/casoplon.bt").status);
   const Outcome run = plan("aerial", "7.3,8.1", "5.5,9.1", "0.3");
   expectWords(run, {"no path", "there is one with --height-offset "});

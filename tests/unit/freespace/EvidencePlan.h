@@ -12,7 +12,7 @@ namespace mrpt_mapconv::test
 {
 /** A plan of cells, north up, each a word; words that stand for what is free begin at a height in
  * voxels: `s4` ground seen under free space from 4 on, `o4` the same with nothing known under it,
- * `#` a wall from -3 to 25, `.` nothing. */
+ * `o4/1/3` likewise but for occupied voxels [1, 3), `#` a wall from -3 to 25, `.` nothing. */
 using Plan = std::vector<std::string>;
 constexpr int kPlanSide = 7;
 
@@ -60,6 +60,9 @@ inline void drawPlan(const Plan& plan, int which, HandMap& map)
       const int floor = std::stoi(word.substr(1));
       map.free(kx, ky, floor, floor + 12);
       if (word[0] == 's') map.occupied(kx, ky, floor - 1, floor);
+      if (const auto first = word.find('/'); first != std::string::npos)
+        map.occupied(kx, ky, std::stoi(word.substr(first + 1)),
+                     std::stoi(word.substr(word.rfind('/') + 1)));
     }
 }
 

@@ -2,8 +2,6 @@
 #include <gtest/gtest.h>
 #include <mrpt_mapconv/freespace/Conversion.h>
 
-#include <cmath>
-
 #include "EvidencePlan.h"
 
 namespace
@@ -353,55 +351,38 @@ TEST(Evidence, HalvesAreRoundedUp)
   }
 }
 
-// ---- (e) what is known to stand there
+// ---- (e) what is known to be in the way
 
-/** The support of an open cell between two seen ones on the ground at 0, with occupied voxels
- * [begin, end) under its floor at 12 voxels. */
-float supportOver(int begin, int end, double maxStep)
+TEST(Evidence, ENothingHigherThanAStepStandsThere)
 {
-  HandMap map(0.1);
-  for (const int kx : {0, 2}) map.occupied(kx, 0, -1, 0).free(kx, 0, 0, 20);
-  map.free(1, 0, 12, 20);
-  if (begin < end) map.occupied(1, 0, begin, end);
-  return map.convert(seen(0.6, 0.2, maxStep)).support.at(1, 0);
+  expectRow("s0 o12/-3/-1 s0 . . . .", seen(0.6, 0.2), "0 0 0 - - - -");
+  expectRow("s0 o12/0/2 s0 . . . .", seen(0.6, 0.2), "0 0 0 - - - -");
+  expectRow("s0 o12/0/3 s0 . . . .", seen(0.6, 0.2), "0 - 0 - - - -");
+  expectRow("s0 o12/0/3 s0 . . . .", seen(0.6, 0.2, 0.3), "0 0 0 - - - -");
+  expectRow("s0 o12/10/11 s0 . . . .", seen(0.6, 0.2), "0 - 0 - - - -");
 }
 
-TEST(Evidence, ENothingHigherThanAStepIsKnownToStandThere)
+TEST(Evidence, EWhereStepsAreNotLookedForThatIsOneVoxel)
 {
-  EXPECT_EQ(supportOver(0, 0, 0.2), 0) << "nothing";
-  EXPECT_EQ(supportOver(-3, -1, 0.2), 0) << "the ground's own voxels";
-  EXPECT_EQ(supportOver(0, 2, 0.2), 0) << "as high as a step";
-  EXPECT_TRUE(std::isnan(supportOver(0, 3, 0.2)));
-  EXPECT_EQ(supportOver(0, 3, 0.3), 0);
-  EXPECT_TRUE(std::isnan(supportOver(10, 11, 0.2))) << "it hangs over the line";
-  EXPECT_EQ(supportOver(0, 1, 0), 0);
-  EXPECT_TRUE(std::isnan(supportOver(0, 2, 0))) << "one voxel, where steps are not looked for";
+  expectRow("s0 o12/0/1 s0 . . . .", seen(0.6, 0.2, 0), "0 0 0 - - - -");
+  expectRow("s0 o12/0/2 s0 . . . .", seen(0.6, 0.2, 0), "0 - 0 - - - -");
 }
 
-TEST(Evidence, ENothingHangsLowerOverTheLineThanIsNeeded)
+TEST(Evidence, EHeightsCountFromTheLine)
 {
-  // a cell one voxel lower than its neighbours, with a free range of five or six voxels, under
-  // something occupied; five are needed
-  const auto supportUnder = [](int bottom)
-  {
-    HandMap map(0.1);
-    for (const int kx : {0, 2}) map.occupied(kx, 0, -1, 0).free(kx, 0, 0, 20);
-    map.free(1, 0, -1, bottom).occupied(1, 0, bottom, bottom + 1);
-    return map.convert(seen(0.6, 0.2)).support.at(1, 0);
-  };
-  EXPECT_TRUE(std::isnan(supportUnder(4)));
-  EXPECT_EQ(supportUnder(5), 0);
+  expectRow("s0 o12/0/3 o12/0/3 s2 . . .", seen(0.6, 0.4), "0 - 1.328125 2 - - -");
 }
 
-TEST(Evidence, EWhatStandsOnOneCellIsNoWallForOthers)
+TEST(Evidence, ENothingHangsLowerThanMinClearance)
 {
-  HandMap map(0.1);
-  for (const int kx : {0, 4}) map.occupied(kx, 0, -1, 0).free(kx, 0, 0, 20);
-  map.free(1, 0, 0, 20).free(2, 0, 12, 20).occupied(2, 0, 5, 8).free(3, 0, 0, 20);
-  const auto support = map.convert(seen(0.6, 0.4)).support;
-  EXPECT_EQ(support.at(1, 0), 0);
-  EXPECT_TRUE(std::isnan(support.at(2, 0)));
-  EXPECT_EQ(support.at(3, 0), 0);
+  // a cell one voxel lower than the line, free for five or six voxels; five are needed
+  expectRow("s0 o-1/4/5 s0 . . . .", seen(0.6, 0.2), "0 - 0 - - - -");
+  expectRow("s0 o-1/5/6 s0 . . . .", seen(0.6, 0.2), "0 0 0 - - - -");
+}
+
+TEST(Evidence, EWhatIsOnOneCellIsNoWallForOthers)
+{
+  expectRow("s0 o0 o12/5/8 o0 s0 . .", seen(0.6, 0.4), "0 0 - 0 0 - -");
 }
 
 }  // namespace

@@ -43,10 +43,10 @@ bool canStand(const grid::Layer<float>& occupancy, const mrpt::math::TPoint2D& p
 /** Why there is no path on a map, found out by planning (planning::planOnGrid()) on it with some of
  * its cells made free.
  *
- * \\param map, truth occupancy layers of the same resolution; each may have a frame of its own.
- * beyond it all is unknown
- * \\param radius of the robot [m]
- * \\exception std::invalid_argument for different resolutions, or as planOnGrid() */
+ * \param map, truth occupancy layers of the same resolution; each may have a frame of its own,
+ * beyond which all is unknown
+ * \param radius of the robot [m]
+ * \exception std::invalid_argument for different resolutions, or as planOnGrid() */
 NoPath whyNoPath(const grid::Layer<float>& map, const grid::Layer<float>& truth,
                  const mrpt::math::TPoint2D& start, const mrpt::math::TPoint2D& goal,
                  double radius);
