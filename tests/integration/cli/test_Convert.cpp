@@ -197,7 +197,8 @@ TEST_F(Convert, summaryIsForPeople)
       mapconv({"convert", input(), "-o", dir.path("out"), "--paper", "--slope-window", "1"});
   ASSERT_EQ(0, run.status) << run.err;
   for (const char* part : {"15 (5 x 3)", "2.50 x 1.50 m", "10 free", "2 occupied", "3 unknown",
-                           "1 of the free cells", "minStep", "2.00 m", "load", "convert", "write"})
+                           "of the free cells of aerial 1 are too steep", "minStep", "2.00 m",
+                           "load", "convert", "write"})
     EXPECT_TRUE(contains(run.out, part)) << part << " in\n" << run.out;
 }
 
