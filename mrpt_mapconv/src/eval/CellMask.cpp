@@ -88,8 +88,8 @@ CellMask cellsOf(const sim::World& world, const std::vector<std::string>& names,
       for (std::int32_t x = 0; x < frame.width; ++x)
       {
         solids.clear();
-        const double cx = (frame.x0 + x + 0.5) * frame.resolution;
-        const double cy = (frame.y0 + y + 0.5) * frame.resolution;
+        const double cx = frame.centreOf(frame.x0 + x);
+        const double cy = frame.centreOf(frame.y0 + y);
         const sim::Footprint place = world.primitive(i).footprint();
         if (cx < place.xMin || cx > place.xMax || cy < place.yMin || cy > place.yMax) continue;
         world.primitive(i).appendSolids(cx, cy, solids);

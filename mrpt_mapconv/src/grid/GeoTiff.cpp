@@ -116,13 +116,16 @@ GridFrame readFrame(GDALDataset& dataset, const std::string& path)
   if (!(t[1] > 0) || t[2] != 0 || t[4] != 0 || std::abs(t[5] + t[1]) > 1e-9 * t[1])
     throw std::runtime_error("cannot read '" + path +
                              "': its cells must be square and north up, not rotated");
-  const auto x0 = keyAt(t[0], t[1]), yEnd = keyAt(t[3], t[1]);
-  if (!x0 || !yEnd)
-    throw std::runtime_error("cannot read '" + path + "': its corner (" + std::to_string(t[0]) +
-                             ", " + std::to_string(t[3]) +
-                             ") must lie on a multiple of the cell size " + std::to_string(t[1]));
   const int height = dataset.GetRasterYSize();
-  return {t[1], *x0, *yEnd - height, dataset.GetRasterXSize(), height};
+  for (const double shift : {0.0, -0.5})
+  {
+    const auto x0 = keyAt(t[0] - shift * t[1], t[1]), yEnd = keyAt(t[3] - shift * t[1], t[1]);
+    if (x0 && yEnd) return {t[1], *x0, *yEnd - height, dataset.GetRasterXSize(), height, shift};
+  }
+  throw std::runtime_error("cannot read '" + path + "': its corner (" + std::to_string(t[0]) +
+                             ", " + std::to_string(t[3]) +
+                             ") must lie on a multiple of half the cell size " +
+                             std::to_string(t[1]));
 }
 
 /** Turns a file's own no-data value into NaN. */

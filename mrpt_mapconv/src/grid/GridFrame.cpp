@@ -28,8 +28,9 @@ GridFrame unite(const GridFrame& a, const GridFrame& b)
     throw std::invalid_argument("GridFrame: cannot unite resolutions " +
                                 std::to_string(a.resolution) + " m and " +
                                 std::to_string(b.resolution) + " m, they must be equal");
-  GridFrame out;
-  out.resolution = a.resolution;
+  if (a.shift != b.shift)
+    throw std::invalid_argument("GridFrame: cannot unite frames whose cells are shifted otherwise");
+  GridFrame out = a;
   out.x0 = std::min(a.x0, b.x0);
   out.y0 = std::min(a.y0, b.y0);
   out.width = extent(out.x0, std::max(a.xEnd(), b.xEnd()));

@@ -20,10 +20,29 @@ struct FilledFlag : COccupancyGridMap2D
   static void set(COccupancyGridMap2D& map) { map.*(&FilledFlag::m_is_empty) = false; }
 };
 
+/** Reaches the limits, which setSize() puts on multiples of the resolution. */
+struct Limits : COccupancyGridMap2D
+{
+  static void set(COccupancyGridMap2D& map, const GridFrame& frame)
+  {
+    map.*(&Limits::m_xMin) = static_cast<float>(frame.xMin());
+    map.*(&Limits::m_xMax) = static_cast<float>(frame.xMax());
+    map.*(&Limits::m_yMin) = static_cast<float>(frame.yMin());
+    map.*(&Limits::m_yMax) = static_cast<float>(frame.yMax());
+  }
+};
+
+GridFrame unshifted(GridFrame frame)
+{
+  frame.shift = 0;
+  return frame;
+}
+
 }  // namespace
 
-void checkGridMapFrame(const GridFrame& frame)
+void checkGridMapFrame(const GridFrame& shifted)
 {
+  const GridFrame frame = unshifted(shifted);
   const auto resolution = static_cast<float>(frame.resolution);
   const auto size = [&](double min, double max)  // as MRPT counts cells
   {
@@ -50,8 +69,9 @@ void checkGridMapFrame(const GridFrame& frame)
 
 void copyToGridMap(const Layer<float>& occupancy, COccupancyGridMap2D& map)
 {
-  const GridFrame& frame = occupancy.frame();
-  if (frame.empty()) throw std::invalid_argument("grid map: the layer has no cells");
+  if (occupancy.frame().empty())
+    throw std::invalid_argument("grid map: the layer has no cells");
+  const GridFrame frame = unshifted(occupancy.frame());
   checkGridMapFrame(frame);
   map.setSize(static_cast<float>(frame.xMin()), static_cast<float>(frame.xMax()),
               static_cast<float>(frame.yMin()), static_cast<float>(frame.yMax()),
@@ -66,6 +86,7 @@ void copyToGridMap(const Layer<float>& occupancy, COccupancyGridMap2D& map)
     const float* from = occupancy.row(iy);
     std::transform(from, from + frame.width, map.getRow(iy), rawGridCell);
   }
+  if (occupancy.frame() != frame) Limits::set(map, occupancy.frame());
   FilledFlag::set(map);
 }
 

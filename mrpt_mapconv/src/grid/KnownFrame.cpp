@@ -18,7 +18,7 @@ GridFrame frameOf(const Layer<float>& layer, const IsKnown& isKnown)
   { return std::any_of(layer.row(iy), layer.row(iy) + all.width, isKnown); };
   std::int32_t yLow = 0, yHigh = all.height - 1;
   while (yLow <= yHigh && !hasKnown(yLow)) ++yLow;
-  if (yLow > yHigh) return {all.resolution, all.x0, all.y0, 0, 0};
+  if (yLow > yHigh) return {all.resolution, all.x0, all.y0, 0, 0, all.shift};
   while (!hasKnown(yHigh)) --yHigh;
 
   std::int32_t xLow = all.width, xHigh = -1;
@@ -29,7 +29,8 @@ GridFrame frameOf(const Layer<float>& layer, const IsKnown& isKnown)
     for (std::int32_t ix = all.width - 1; ix > xHigh; --ix)
       if (isKnown(row[ix])) xHigh = ix;
   }
-  return {all.resolution, all.x0 + xLow, all.y0 + yLow, xHigh - xLow + 1, yHigh - yLow + 1};
+  return {all.resolution,   all.x0 + xLow,    all.y0 + yLow,
+          xHigh - xLow + 1, yHigh - yLow + 1, all.shift};
 }
 
 /** Larger by some cells on all sides, but within another one. */
@@ -38,7 +39,7 @@ GridFrame grown(const GridFrame& frame, std::int32_t cells, const GridFrame& wit
   const std::int32_t x0 = std::max(frame.x0 - cells, within.x0),
                      y0 = std::max(frame.y0 - cells, within.y0);
   return {frame.resolution, x0, y0, std::min(frame.xEnd() + cells, within.xEnd()) - x0,
-          std::min(frame.yEnd() + cells, within.yEnd()) - y0};
+          std::min(frame.yEnd() + cells, within.yEnd()) - y0, frame.shift};
 }
 }  // namespace
 
@@ -53,7 +54,7 @@ GridFrame knownFrame(const Layer<float>& layer, LayerKind kind)
 GridFrame shownFrame(const std::vector<StyledLayer>& layers)
 {
   const GridFrame& all = layers.at(0).layer->frame();
-  GridFrame known{all.resolution, all.x0, all.y0, 0, 0};
+  GridFrame known{all.resolution, all.x0, all.y0, 0, 0, all.shift};
   for (const StyledLayer& layer : layers)
     known = unite(known, knownFrame(*layer.layer, layer.kind));
   if (known.empty()) return all;

@@ -68,8 +68,8 @@ bool LayerGridMap2D::isLaidOut() const
   return getSizeX() == static_cast<unsigned>(frame.width) &&
          getSizeY() == static_cast<unsigned>(frame.height) &&
          std::abs(getResolution() - frame.resolution) < 1e-6 * frame.resolution &&
-         std::abs(getXMin() - frame.xMin()) < 0.5 * frame.resolution &&
-         std::abs(getYMin() - frame.yMin()) < 0.5 * frame.resolution;
+         std::abs(getXMin() - frame.xMin()) < 0.25 * frame.resolution &&
+         std::abs(getYMin() - frame.yMin()) < 0.25 * frame.resolution;
 }
 
 /** A map in which nothing is known has nothing to lay out. */

@@ -254,6 +254,7 @@ bool sensorPoints(const CObservation& obs, const mrpt::poses::CPose3D& robotPose
   mrpt::poses::CPose3D sensorOnRobot;
   obs.getSensorPose(sensorOnRobot);
   out.sensorPose = robotPose + sensorOnRobot;
+  out.robotPose = robotPose;
   return true;
 }
 

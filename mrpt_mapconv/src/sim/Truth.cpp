@@ -168,16 +168,15 @@ template <class See>
 void forEachCellWithin(const World& world, const grid::GridFrame& frame, int threads,
                        const See& see)
 {
-  const double size = frame.resolution;
   const auto seeRow = [&](Probe& probe, std::int32_t ky)
   {
-    const double y = (ky + 0.5) * size;
+    const double y = frame.centreOf(ky);
     if (y < world.min().y || y > world.max().y) return;
     for (std::int32_t kx = frame.x0; kx < frame.xEnd(); ++kx)
     {
-      const double x = (kx + 0.5) * size;
+      const double x = frame.centreOf(kx);
       if (x < world.min().x || x > world.max().x) continue;
-      see(probe, Cell{frame.indexOfKey(kx, ky), kx * size, ky * size, x, y});
+      see(probe, Cell{frame.indexOfKey(kx, ky), frame.edgeOf(kx), frame.edgeOf(ky), x, y});
     }
   };
   grid::inParallel(static_cast<std::size_t>(std::max(0, frame.height)), threads,

@@ -25,8 +25,8 @@ using Metadata = std::map<std::string, std::string>;
 void writeGeoTiff(const std::string& path, const std::vector<StyledLayer>& bands,
                   const Metadata& metadata = {});
 
-/** Reads one band of a GeoTIFF of square, north-up cells that lie on integer keys, as
- * writeGeoTiff() writes it. Cells without data become NaN.
+/** Reads one band of a GeoTIFF of square, north-up cells whose edges or centres lie on
+ * multiples of their size, as writeGeoTiff() writes it. Cells without data become NaN.
  *
  * \param bandName description of the band
  * \exception std::runtime_error naming the file and the reason: it cannot be read, has no such band

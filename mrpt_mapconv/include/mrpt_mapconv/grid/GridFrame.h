@@ -7,7 +7,7 @@ namespace mrpt_mapconv::grid
 {
 /** Where a 2D grid lies: an integer cell frame.
  *
- * Cell keys are signed integers; cell (kx, ky) covers [kx·resolution, (kx+1)·resolution) in x and
+ * Cell keys are signed integers; cell (kx, ky) covers [kx+shift, kx+shift+1)·resolution in x and
  * likewise in y, in metres of the map frame. The grid holds width × height cells, its first cell
  * has the key (x0, y0). Metres appear only at the edge: no cell is ever found by dividing metres.
  */
@@ -16,6 +16,7 @@ struct GridFrame
   double resolution = 0;               //!< size of a cell [m]
   std::int32_t x0 = 0, y0 = 0;         //!< key of the first cell (lowest x, lowest y)
   std::int32_t width = 0, height = 0;  //!< size in cells
+  double shift = 0;  //!< of all cells [cells]; −0.5: they are centred on multiples of resolution
 
   bool empty() const { return width <= 0 || height <= 0; }
   std::size_t size() const
@@ -35,20 +36,24 @@ struct GridFrame
            static_cast<std::size_t>(kx - x0);
   }
 
-  double xMin() const { return x0 * resolution; }      //!< [m]
-  double yMin() const { return y0 * resolution; }      //!< [m]
-  double xMax() const { return xEnd() * resolution; }  //!< [m]
-  double yMax() const { return yEnd() * resolution; }  //!< [m]
+  double xMin() const { return edgeOf(x0); }      //!< [m]
+  double yMin() const { return edgeOf(y0); }      //!< [m]
+  double xMax() const { return edgeOf(xEnd()); }  //!< [m]
+  double yMax() const { return edgeOf(yEnd()); }  //!< [m]
+  /** The lower edge of the cells with that key in x or y [m]. */
+  double edgeOf(std::int32_t key) const { return (key + shift) * resolution; }
+  /** Their centre [m]. */
+  double centreOf(std::int32_t key) const { return (key + shift + 0.5) * resolution; }
 
   bool operator==(const GridFrame& o) const
   {
     return resolution == o.resolution && x0 == o.x0 && y0 == o.y0 && width == o.width &&
-           height == o.height;
+           height == o.height && shift == o.shift;
   }
   bool operator!=(const GridFrame& o) const { return !(*this == o); }
 };
 
-/** The smallest frame that holds both (of the same resolution); an empty one adds nothing. */
+/** The smallest frame that holds both (of the same resolution and shift); an empty one adds nothing. */
 GridFrame unite(const GridFrame& a, const GridFrame& b);
 
 }  // namespace mrpt_mapconv::grid

@@ -16,6 +16,7 @@ struct SensorPoints
   /** Ends, as those of points, of beams that met nothing up to the sensor's maximum range: nothing
    * lies there, but all before it is free. */
   std::vector<mrpt::math::TPoint3Df> noReturns = {};
+  mrpt::poses::CPose3D robotPose = {};  //!< robot frame -> map
 
   bool empty() const { return points.empty() && noReturns.empty(); }
   /** Forgets all but the pose; the memory is kept. */
