@@ -36,7 +36,9 @@ class PlaneMoments
   void add(std::int32_t kx, std::int32_t ky, std::int32_t z) { change(kx, ky, z, 1); }
   void remove(std::int32_t kx, std::int32_t ky, std::int32_t z) { change(kx, ky, z, -1); }
   /** Moves the cells of another one in, whatever its origin. */
-  void add(const PlaneMoments& other);
+  void add(const PlaneMoments& other) { addTimes(other, 1); }
+  /** Takes the cells of another one out. */
+  void subtract(const PlaneMoments& other) { addTimes(other, -1); }
 
   std::int64_t cells() const { return m_n; }
   std::int32_t originX() const { return m_x; }
@@ -50,8 +52,13 @@ class PlaneMoments
   /** Mean key of the cells. */
   double meanX() const { return m_x + static_cast<double>(m_sx) / static_cast<double>(m_n); }
   double meanY() const { return m_y + static_cast<double>(m_sy) / static_cast<double>(m_n); }
+  /** Half the sides of an upright rectangle of evenly spread cells with the variances of these. */
+  double halfWidthX() const { return halfWidth(m_sxx, m_sx); }
+  double halfWidthY() const { return halfWidth(m_syy, m_sy); }
 
  private:
+  double halfWidth(std::int64_t squares, std::int64_t sum) const;
+  void addTimes(const PlaneMoments& o, std::int64_t times);
   void change(std::int32_t kx, std::int32_t ky, std::int32_t z, std::int64_t sign)
   {
     const std::int64_t x = std::int64_t{kx} - m_x, y = std::int64_t{ky} - m_y,

@@ -1,0 +1,82 @@
+#include "Extraction.h"
+
+#include <utility>
+
+namespace mrpt_mapconv::terrain
+{
+namespace
+{
+// Planes that are right are settled after one or two; noise could go on for ever.
+constexpr int kMostRounds = 4, kMostSweeps = 8;
+
+/** These cells and their 8 neighbours, of which some may have found no plane before. */
+std::vector<TileCells> widened(const std::vector<TileCells>& cells)
+{
+  std::map<std::pair<std::int32_t, std::int32_t>, TileCells> wide;
+  const auto add = [&wide](Tile* tile, std::int32_t iy, RowBits bits)
+  {
+    if (!tile || !bits) return;
+    TileCells& part = wide[{tile->ty, tile->tx}];
+    part.tile = tile;
+    part.bits[static_cast<std::size_t>(iy)] |= bits;
+  };
+  for (const TileCells& part : cells)
+    for (std::int32_t iy = 0; iy < kTileSide; ++iy)
+    {
+      const RowBits row = part.bits[static_cast<std::size_t>(iy)];
+      if (!row) continue;
+      for (std::int32_t y = iy - 1; y <= iy + 1; ++y)
+      {
+        const std::int32_t north = y >> kTileBits, inTile = y & kTileMask;
+        add(part.tile->neighbour(0, north), inTile, row | row << 1 | row >> 1);
+        add(part.tile->neighbour(-1, north), inTile, row << kTileMask);
+        add(part.tile->neighbour(1, north), inTile, row >> kTileMask);
+      }
+    }
+  std::vector<TileCells> all;
+  all.reserve(wide.size());
+  for (const auto& entry : wide) all.push_back(entry.second);
+  return all;
+}
+}  // namespace
+
+std::vector<Tile*> Extraction::staleTiles() const
+{
+  std::vector<Tile*> stale;
+  for (Tile* tile : m_tiles.sorted())
+    if (tile->isStale) stale.push_back(tile);
+  return stale;
+}
+
+void Extraction::settleBorders()
+{
+  auto where = m_borders.toSettle(staleTiles());
+  for (int sweep = 0; sweep < kMostSweeps; ++sweep)
+  {
+    const bool merged = m_borders.merge(where);
+    const auto moved = m_borders.relax(where);
+    refit();
+    if (!merged && moved.empty()) return;
+    where = m_borders.toSettle(moved);
+  }
+}
+
+void Extraction::follow(std::vector<TileCells> open, int threads)
+{
+  refit();
+  m_borders.absorb(open);
+  refit();
+  open = widened(open);
+  for (int round = 0; round < kMostRounds; ++round)
+  {
+    m_growth.grow(open, m_planes, threads);
+    settleBorders();
+    open = m_borders.splitAndDissolve();
+    refit();
+    if (open.empty()) return;
+    m_borders.absorb(open);
+    refit();
+  }
+}
+
+}  // namespace mrpt_mapconv::terrain

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <vector>
+
+#include "PlaneBorders.h"
+
+namespace mrpt_mapconv::terrain
+{
+/** Has planes follow the cells that have changed. */
+class Extraction
+{
+ public:
+  Extraction(const PlaneSearch& search, TileMap& tiles, PlaneSet& planes)
+      : m_search(search),
+        m_tiles(tiles),
+        m_planes(planes),
+        m_growth(search, tiles),
+        m_borders(search, tiles, planes)
+  {
+  }
+
+  /** \param open cells that have no plane and might get one, of tiles row by row
+   * \param threads 0 = all cores */
+  void follow(std::vector<TileCells> open, int threads);
+
+ private:
+  void refit() { m_planes.refit(m_search.minCells); }
+  std::vector<Tile*> staleTiles() const;
+  void settleBorders();
+
+  const PlaneSearch& m_search;
+  TileMap& m_tiles;
+  PlaneSet& m_planes;
+  PlaneGrowth m_growth;
+  PlaneBorders m_borders;
+};
+
+}  // namespace mrpt_mapconv::terrain

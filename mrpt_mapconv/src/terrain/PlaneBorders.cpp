@@ -1,0 +1,330 @@
+#include "PlaneBorders.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <unordered_map>
+
+#include "PlaneRows.h"
+
+namespace mrpt_mapconv::terrain
+{
+namespace
+{
+/** Distances that differ by less are the same: heights are rounded [kHeightUnit]. */
+constexpr double kTie = 4;
+
+struct Step
+{
+  std::int32_t x, y;
+};
+constexpr Step kNeighbours[] = {{1, 0}, {-1, 0}, {0, 1}, {0, -1}};
+
+/** Largest vertical difference of two planes over where the cells of one are: the rectangle that
+ * has their mean and variances [kHeightUnit]. */
+double differenceOver(const PlaneMoments& cells, const Plane& a, const Plane& b)
+{
+  const double dz = (a.height - a.slopeX * a.originX - a.slopeY * a.originY) -
+                    (b.height - b.slopeX * b.originX - b.slopeY * b.originY);
+  const double sx = a.slopeX - b.slopeX, sy = a.slopeY - b.slopeY;
+  const double middle = dz + sx * cells.meanX() + sy * cells.meanY();
+  return std::abs(middle) + std::abs(sx) * cells.halfWidthX() + std::abs(sy) * cells.halfWidthY();
+}
+
+std::vector<Tile*> sortedUnique(std::vector<Tile*> tiles)
+{
+  const auto place = [](const Tile* t) { return std::make_pair(t->ty, t->tx); };
+  std::sort(tiles.begin(), tiles.end(),
+            [&](const Tile* a, const Tile* b) { return place(a) < place(b); });
+  tiles.erase(std::unique(tiles.begin(), tiles.end()), tiles.end());
+  return tiles;
+}
+
+/** Where two planes touch, each pair once. */
+std::vector<std::pair<std::int32_t, std::int32_t>> touchingPairs(const std::vector<Tile*>& where)
+{
+  std::vector<std::pair<std::int32_t, std::int32_t>> pairs;
+  const auto add = [&](std::int32_t a, std::int32_t b)
+  {
+    const auto pair = std::minmax(a, b);
+    if (pair.first != kNoPlane &&
+        (pairs.empty() || pairs.back() != std::make_pair(pair.first, pair.second)))
+      pairs.emplace_back(pair.first, pair.second);
+  };
+  for (Tile* tile : where)
+    for (std::int32_t iy = 0; iy < kTileSide; ++iy)
+    {
+      const RowBits assigned = tile->assigned[static_cast<std::size_t>(iy)];
+      const auto addOf = [&](std::int32_t ix, std::int32_t dx, std::int32_t dy)
+      {
+        const CellRef other = cellAt(*tile, ix + dx, iy + dy);
+        if (other) add(tile->plane[Tile::indexOf(ix, iy)], other.tile->plane[other.index()]);
+      };
+      if (!assigned) continue;
+      forEachBit(assigned & differsEast(*tile, iy), [&](std::int32_t ix) { addOf(ix, 1, 0); });
+      forEachBit(assigned & differsNorth(*tile, iy), [&](std::int32_t ix) { addOf(ix, 0, 1); });
+    }
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return pairs;
+}
+}  // namespace
+
+std::vector<Tile*> PlaneBorders::tilesOf(std::int32_t id) const
+{
+  const TileBox& box = m_planes.at(id).tiles;
+  std::vector<Tile*> tiles;
+  const auto area =
+      (std::int64_t{box.xMax} - box.xMin + 1) * (std::int64_t{box.yMax} - box.yMin + 1);
+  if (area > static_cast<std::int64_t>(m_tiles.size()))
+  {
+    for (Tile* tile : m_tiles.sorted())
+      if (tile->tx >= box.xMin && tile->tx <= box.xMax && tile->ty >= box.yMin &&
+          tile->ty <= box.yMax)
+        tiles.push_back(tile);
+    return tiles;
+  }
+  for (std::int32_t ty = box.yMin; ty <= box.yMax; ++ty)
+    for (std::int32_t tx = box.xMin; tx <= box.xMax; ++tx)
+      if (Tile* tile = m_tiles.find(tx, ty)) tiles.push_back(tile);
+  return tiles;
+}
+
+/** A choice that does not depend on how planes are numbered. */
+bool PlaneBorders::prefers(std::int32_t a, std::int32_t b) const
+{
+  constexpr double kSameSlope = 0.05;  // [kHeightUnit per cell]
+  const PlaneState &first = m_planes.at(a), &second = m_planes.at(b);
+  const double slopes = std::hypot(first.plane.slopeX, first.plane.slopeY) -
+                        std::hypot(second.plane.slopeX, second.plane.slopeY);
+  if (std::abs(slopes) > kSameSlope) return slopes < 0;
+  return std::make_pair(first.moments.meanY(), first.moments.meanX()) <
+         std::make_pair(second.moments.meanY(), second.moments.meanX());
+}
+
+/** The plane that a cell is nearest to, its own or that of a neighbour within the tolerance. */
+std::int32_t PlaneBorders::nearest(const CellRef& cell) const
+{
+  std::int32_t best = cell.tile->plane[cell.index()];
+  double least = best == kNoPlane ? 0 : m_planes.distance(cell, best);
+  for (const Step& step : kNeighbours)
+  {
+    const CellRef other = cellAt(*cell.tile, cell.ix + step.x, cell.iy + step.y);
+    const std::int32_t id = other ? other.tile->plane[other.index()] : kNoPlane;
+    if (id == kNoPlane || id == best) continue;
+    const double distance = m_planes.distance(cell, id);
+    if (distance > m_search.tolerance) continue;
+    const bool isNearer = best == kNoPlane || distance < least - kTie ||
+                          (distance <= least + kTie && prefers(id, best));
+    if (!isNearer) continue;
+    best = id;
+    least = distance;
+  }
+  return best;
+}
+
+void PlaneBorders::absorb(const std::vector<TileCells>& cells)
+{
+  std::vector<CellRef> stack;
+  const auto tryCell = [&](const CellRef& cell)
+  {
+    if (!cell || !cell.tile->isKnown(cell.ix, cell.iy) ||
+        cell.tile->plane[cell.index()] != kNoPlane)
+      return;
+    const std::int32_t id = nearest(cell);
+    if (id == kNoPlane) return;
+    m_planes.assign(cell, id);
+    stack.push_back(cell);
+  };
+  for (const TileCells& part : cells)
+    for (std::int32_t iy = 0; iy < kTileSide; ++iy)
+      forEachBit(part.bits[static_cast<std::size_t>(iy)],
+                 [&](std::int32_t ix)
+                 {
+                   tryCell({part.tile, ix, iy});
+                   while (!stack.empty())
+                   {
+                     const CellRef cell = stack.back();
+                     stack.pop_back();
+                     for (const Step& step : kNeighbours)
+                       tryCell(cellAt(*cell.tile, cell.ix + step.x, cell.iy + step.y));
+                   }
+                 });
+}
+
+/** Whether two planes differ by at most the tolerance where the smaller one's cells are. */
+bool PlaneBorders::agree(std::int32_t a, std::int32_t b) const
+{
+  const PlaneState &first = m_planes.at(a), &second = m_planes.at(b);
+  const PlaneMoments& cells =
+      first.moments.cells() < second.moments.cells() ? first.moments : second.moments;
+  return differenceOver(cells, first.plane, second.plane) <= m_search.tolerance;
+}
+
+void PlaneBorders::join(std::int32_t from, std::int32_t to)
+{
+  for (Tile* tile : tilesOf(from))
+    for (std::int32_t iy = 0; iy < kTileSide; ++iy)
+      forEachBit(rowOfPlane(*tile, iy, from),
+                 [&](std::int32_t ix) { tile->assign(Tile::indexOf(ix, iy), to); });
+  PlaneState &source = m_planes.at(from), &target = m_planes.at(to);
+  target.moments.add(source.moments);
+  target.tiles.take(source.tiles);
+  target.hasLost |= source.hasLost;
+  target.plane = target.moments.fit();
+  m_planes.remove(from);
+}
+
+bool PlaneBorders::merge(const std::vector<Tile*>& where)
+{
+  const auto pairs = touchingPairs(where);
+  std::vector<std::int32_t> now(static_cast<std::size_t>(m_planes.end()));
+  std::iota(now.begin(), now.end(), 0);
+  const auto numberOf = [&now](std::int32_t id)
+  {
+    while (now[static_cast<std::size_t>(id)] != id) id = now[static_cast<std::size_t>(id)];
+    return id;
+  };
+  bool any = false;
+  for (bool again = true; again;)
+  {
+    again = false;
+    for (const auto& pair : pairs)
+    {
+      const std::int32_t a = numberOf(pair.first), b = numberOf(pair.second);
+      if (a == b || !agree(a, b)) continue;
+      const bool isFirstSmaller = m_planes.at(a).moments.cells() < m_planes.at(b).moments.cells();
+      const std::int32_t from = isFirstSmaller ? a : b, to = isFirstSmaller ? b : a;
+      join(from, to);
+      now[static_cast<std::size_t>(from)] = to;
+      any = again = true;
+    }
+  }
+  return any;
+}
+
+std::vector<Tile*> PlaneBorders::relax(const std::vector<Tile*>& where)
+{
+  std::vector<Tile*> moved;
+  for (Tile* tile : where)
+  {
+    bool any = false;
+    const TileBits border = borderOf(*tile);
+    for (std::int32_t iy = 0; iy < kTileSide; ++iy)
+      forEachBit(border[static_cast<std::size_t>(iy)] & tile->known[static_cast<std::size_t>(iy)],
+                 [&](std::int32_t ix)
+                 {
+                   const CellRef cell{tile, ix, iy};
+                   const std::int32_t own = tile->plane[cell.index()], best = nearest(cell);
+                   if (best == own) return;
+                   if (own != kNoPlane) m_planes.release(cell);
+                   m_planes.assign(cell, best);
+                   any = true;
+                 });
+    if (any) moved.push_back(tile);
+  }
+  return moved;
+}
+
+bool PlaneBorders::hasMoved(const PlaneState& state) const
+{
+  return differenceOver(state.moments, state.plane, state.settled) > kTie;
+}
+
+std::vector<Tile*> PlaneBorders::toSettle(const std::vector<Tile*>& changed)
+{
+  std::vector<Tile*> tiles;
+  for (const Tile* tile : changed)
+    for (Tile* near : tile->around)
+      if (near) tiles.push_back(near);
+  for (std::int32_t id = 0; id < m_planes.end(); ++id)
+  {
+    PlaneState& state = m_planes.at(id);
+    if (!state.isAlive || state.moments.cells() == 0 || !hasMoved(state)) continue;
+    state.settled = state.plane;
+    for (Tile* tile : tilesOf(id)) tiles.push_back(tile);
+  }
+  return sortedUnique(std::move(tiles));
+}
+
+void PlaneBorders::releaseAll(std::int32_t id, Freed& freed)
+{
+  for (Tile* tile : tilesOf(id))
+    for (std::int32_t iy = 0; iy < kTileSide; ++iy)
+    {
+      const RowBits row = rowOfPlane(*tile, iy, id);
+      if (!row) continue;
+      TileCells& cells = freed[{tile->ty, tile->tx}];
+      cells.tile = tile;
+      cells.bits[static_cast<std::size_t>(iy)] |= row;
+      forEachBit(row, [&](std::int32_t ix) { tile->release(Tile::indexOf(ix, iy)); });
+    }
+  m_planes.remove(id);
+}
+
+/** Each connected part becomes a plane of its own; one that has half of the cells goes on as the
+ * plane that it was. */
+void PlaneBorders::split(std::int32_t id)
+{
+  std::unordered_map<const Tile*, TileBits> kept;
+  const auto open = [&](const Tile& tile, std::int32_t iy)
+  {
+    const RowBits row = rowOfPlane(tile, iy, id);
+    const auto found = kept.find(&tile);
+    return found == kept.end() ? row : row & ~found->second[static_cast<std::size_t>(iy)];
+  };
+  for (Tile* tile : tilesOf(id))
+    for (std::int32_t iy = 0; iy < kTileSide; ++iy)
+      while (const RowBits row = open(*tile, iy))
+      {
+        const CellRef first{tile, __builtin_ctz(row), iy};
+        const std::int64_t cells = m_flood.from(first, open), all = m_planes.at(id).moments.cells();
+        if (cells == all) return;
+        if (kept.empty() && 2 * cells >= all)
+          for (const Flood::Part& part : m_flood.parts()) kept.emplace(part.tile, part.reached);
+        else
+          carve(id, first);
+      }
+  if (m_planes.at(id).moments.cells() == 0) m_planes.remove(id);
+}
+
+/** Makes what the flood has reached a plane of its own. */
+void PlaneBorders::carve(std::int32_t id, const CellRef& origin)
+{
+  const PlaneMoments moments = m_flood.moments(origin);
+  const std::int32_t own = m_planes.add(moments);
+  m_planes.at(id).moments.subtract(moments);
+  m_planes.at(id).hasChanged = true;
+  for (const Flood::Part& part : m_flood.parts())
+  {
+    m_planes.at(own).tiles.take(*part.tile);
+    for (std::int32_t iy = 0; iy < kTileSide; ++iy)
+      forEachBit(part.reached[static_cast<std::size_t>(iy)],
+                 [&](std::int32_t ix) { part.tile->assign(Tile::indexOf(ix, iy), own); });
+  }
+}
+
+bool PlaneBorders::isPlane(const PlaneState& state) const
+{
+  return state.moments.cells() >= m_search.minCells && state.moments.spans() &&
+         isAllowed(state.moments.fit(), m_search);
+}
+
+std::vector<TileCells> PlaneBorders::splitAndDissolve()
+{
+  for (std::int32_t id = 0; id < m_planes.end(); ++id)  // those that split off are connected
+  {
+    if (!m_planes.at(id).isAlive || !m_planes.at(id).hasLost) continue;
+    m_planes.at(id).hasLost = false;
+    split(id);
+  }
+  Freed freed;
+  for (std::int32_t id = 0; id < m_planes.end(); ++id)
+    if (m_planes.at(id).isAlive && !isPlane(m_planes.at(id))) releaseAll(id, freed);
+  std::vector<TileCells> cells;
+  cells.reserve(freed.size());
+  for (const auto& entry : freed) cells.push_back(entry.second);
+  return cells;
+}
+
+}  // namespace mrpt_mapconv::terrain

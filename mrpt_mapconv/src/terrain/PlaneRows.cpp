@@ -1,0 +1,83 @@
+#include "PlaneRows.h"
+
+namespace mrpt_mapconv::terrain
+{
+namespace
+{
+constexpr std::array<std::uint32_t, kTileSide> bitsOfColumns()
+{
+  std::array<std::uint32_t, kTileSide> bits{};
+  for (std::size_t i = 0; i < bits.size(); ++i) bits[i] = std::uint32_t{1} << i;
+  return bits;
+}
+constexpr auto kColumns = bitsOfColumns();
+
+MRPT_MAPCONV_WIDE
+RowBits equalTo(const std::int32_t* __restrict row, std::int32_t value)
+{
+  std::uint32_t bits = 0;
+  for (std::size_t i = 0; i < kTileSide; ++i) bits |= row[i] == value ? kColumns[i] : 0;
+  return bits;
+}
+
+MRPT_MAPCONV_WIDE
+RowBits different(const std::int32_t* a, const std::int32_t* b)
+{
+  std::uint32_t bits = 0;
+  for (std::size_t i = 0; i < kTileSide; ++i) bits |= a[i] != b[i] ? kColumns[i] : 0;
+  return bits;
+}
+
+const std::int32_t* rowOf(const Tile& tile, std::int32_t iy)
+{
+  return tile.plane.data() + static_cast<std::size_t>(iy) * kTileSide;
+}
+
+/** Row iy, which may be that of a tile to the north or south. */
+RowBits differsFromRow(const Tile& tile, std::int32_t iy, std::int32_t other)
+{
+  const Tile* there = tile.neighbour(0, other >> kTileBits);
+  return there ? different(rowOf(tile, iy), rowOf(*there, other & kTileMask))
+               : tile.assigned[static_cast<std::size_t>(iy)];
+}
+
+std::int32_t planeOf(const Tile* tile, std::int32_t ix, std::int32_t iy)
+{
+  return tile ? tile->plane[Tile::indexOf(ix, iy)] : kNoPlane;
+}
+}  // namespace
+
+RowBits rowOfPlane(const Tile& tile, std::int32_t iy, std::int32_t plane)
+{
+  const RowBits assigned = tile.assigned[static_cast<std::size_t>(iy)];
+  return assigned ? assigned & equalTo(rowOf(tile, iy), plane) : 0;
+}
+
+RowBits differsEast(const Tile& tile, std::int32_t iy)
+{
+  const std::int32_t* row = rowOf(tile, iy);
+  std::int32_t next[kTileSide];
+  for (std::size_t i = 0; i + 1 < kTileSide; ++i) next[i] = row[i + 1];
+  next[kTileMask] = planeOf(tile.neighbour(1, 0), 0, iy);
+  return different(row, next);
+}
+
+RowBits differsNorth(const Tile& tile, std::int32_t iy) { return differsFromRow(tile, iy, iy + 1); }
+
+TileBits borderOf(const Tile& tile)
+{
+  TileBits border{};
+  for (std::int32_t iy = 0; iy < kTileSide; ++iy)
+  {
+    const auto y = static_cast<std::size_t>(iy);
+    const RowBits east = differsEast(tile, iy), north = differsNorth(tile, iy);
+    border[y] |= east | east << 1 | north;
+    if (planeOf(tile.neighbour(-1, 0), kTileMask, iy) != tile.plane[Tile::indexOf(0, iy)])
+      border[y] |= 1;
+    if (iy < kTileMask) border[y + 1] |= north;
+  }
+  border[0] |= differsFromRow(tile, 0, -1);
+  return border;
+}
+
+}  // namespace mrpt_mapconv::terrain

@@ -1,0 +1,122 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "Tile.h"
+
+namespace mrpt_mapconv::terrain
+{
+/** A rectangle of tiles that holds all cells of a plane, and perhaps more. */
+struct TileBox
+{
+  std::int32_t xMin = 0, yMin = 0, xMax = -1, yMax = -1;
+
+  void take(const Tile& tile) { take({tile.tx, tile.ty, tile.tx, tile.ty}); }
+  void take(const TileBox& o)
+  {
+    if (o.xMax < o.xMin) return;
+    if (xMax < xMin)
+    {
+      *this = o;
+      return;
+    }
+    xMin = std::min(xMin, o.xMin);
+    yMin = std::min(yMin, o.yMin);
+    xMax = std::max(xMax, o.xMax);
+    yMax = std::max(yMax, o.yMax);
+  }
+};
+
+struct PlaneState
+{
+  PlaneMoments moments;
+  Plane plane;    //!< moments.fit(), as of the last refit
+  Plane settled;  //!< as its borders know it
+  TileBox tiles;
+  bool isAlive = false;
+  bool hasChanged = false;  //!< its moments, since the last refit
+  bool hasLost = false;     //!< cells, since it was last known to be connected
+};
+
+/** The planes by their numbers; those of planes that are no more are used again. */
+class PlaneSet
+{
+ public:
+  std::int32_t add(const PlaneMoments& moments)
+  {
+    std::int32_t id;
+    if (m_free.empty())
+    {
+      id = static_cast<std::int32_t>(m_states.size());
+      m_states.emplace_back();
+    }
+    else
+    {
+      id = m_free.back();
+      m_free.pop_back();
+    }
+    PlaneState& state = at(id);
+    state = {};
+    state.moments = moments;
+    if (moments.spans()) state.plane = moments.fit();
+    state.isAlive = true;
+    return id;
+  }
+  void remove(std::int32_t id)
+  {
+    at(id) = {};
+    m_free.push_back(id);
+  }
+  void clear()
+  {
+    m_states.clear();
+    m_free.clear();
+  }
+
+  PlaneState& at(std::int32_t id) { return m_states[static_cast<std::size_t>(id)]; }
+  const PlaneState& at(std::int32_t id) const { return m_states[static_cast<std::size_t>(id)]; }
+  std::int32_t end() const { return static_cast<std::int32_t>(m_states.size()); }
+
+  /** Gives a cell to a plane. */
+  void assign(const CellRef& cell, std::int32_t id)
+  {
+    PlaneState& state = at(id);
+    state.moments.add(cell.keyX(), cell.keyY(), cell.tile->height[cell.index()]);
+    state.tiles.take(*cell.tile);
+    state.hasChanged = true;
+    cell.tile->assign(cell.index(), id);
+  }
+  /** Takes a cell from its plane. */
+  void release(const CellRef& cell)
+  {
+    PlaneState& state = at(cell.tile->plane[cell.index()]);
+    state.moments.remove(cell.keyX(), cell.keyY(), cell.tile->height[cell.index()]);
+    state.hasChanged = state.hasLost = true;
+    cell.tile->release(cell.index());
+  }
+  /** Vertical difference of a cell to a plane [kHeightUnit]. */
+  double distance(const CellRef& cell, std::int32_t id) const
+  {
+    return std::abs(static_cast<double>(cell.tile->height[cell.index()]) -
+                    at(id).plane.at(cell.keyX(), cell.keyY()));
+  }
+  /** Refits what has changed; planes without enough cells, or all on one line, stay as they are. */
+  void refit(std::int64_t minCells)
+  {
+    for (PlaneState& state : m_states)
+    {
+      if (!state.isAlive || !state.hasChanged) continue;
+      state.hasChanged = false;
+      if (state.moments.cells() >= minCells && state.moments.spans())
+        state.plane = state.moments.fit();
+    }
+  }
+
+ private:
+  std::vector<PlaneState> m_states;
+  std::vector<std::int32_t> m_free;
+};
+
+}  // namespace mrpt_mapconv::terrain

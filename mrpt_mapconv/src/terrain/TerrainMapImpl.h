@@ -1,0 +1,94 @@
+#pragma once
+
+#include <mrpt_mapconv/terrain/TerrainMap.h>
+
+#include <array>
+#include <vector>
+
+#include "LeafTree.h"
+#include "PlaneSet.h"
+#include "SeedPlane.h"
+#include "TileMap.h"
+
+namespace mrpt_mapconv::terrain
+{
+/** Finds the tiles of points, which mostly lie where others just did. */
+class TileCache
+{
+ public:
+  explicit TileCache(TileMap& tiles) : m_tiles(tiles) {}
+  Tile& at(std::int32_t tx, std::int32_t ty)
+  {
+    Entry& entry = m_entries[static_cast<std::size_t>((tx & 15) | (ty & 15) << 4)];
+    if (!entry.tile || entry.tx != tx || entry.ty != ty) entry = {tx, ty, &m_tiles.get(tx, ty)};
+    return *entry.tile;
+  }
+
+ private:
+  struct Entry
+  {
+    std::int32_t tx = 0, ty = 0;
+    Tile* tile = nullptr;
+  };
+  TileMap& m_tiles;
+  std::array<Entry, 256> m_entries{};
+};
+
+/** A square of keys, both ends included. */
+struct KeyWindow
+{
+  std::int32_t xMin = 0, yMin = 0, xMax = 0, yMax = 0;
+  bool holds(std::int32_t kx, std::int32_t ky) const
+  {
+    return kx >= xMin && kx <= xMax && ky >= yMin && ky <= yMax;
+  }
+};
+
+class TerrainMap::Impl
+{
+ public:
+  Impl(double l, const TerrainParams& p);
+
+  void add(TileCache& cache, std::int32_t kx, std::int32_t ky, std::int32_t z, std::uint32_t weight)
+  {
+    Tile& tile = cache.at(kx >> kTileBits, ky >> kTileBits);
+    const std::int32_t ix = kx & kTileMask, iy = ky & kTileMask;
+    CellSums& sums = tile.sums[Tile::indexOf(ix, iy)];
+    cells += sums.points == 0;
+    sums.add(z, weight);
+    tile.changed[static_cast<std::size_t>(iy)] |= RowBits{1} << ix;
+    tile.hasChanged = true;
+  }
+  void moveWindow(double x, double y);
+  void follow(int threads);
+  void forgetPlanes();
+  void listPlanes();
+
+  CellRef knownCell(std::int32_t kx, std::int32_t ky) const;
+  std::int32_t indexOf(std::int32_t id) const
+  {
+    return id == kNoPlane ? kNoPlane : indices[static_cast<std::size_t>(id)];
+  }
+  /** The height of a cell, that of its plane if it has one [m]. */
+  double heightAt(const CellRef& cell) const;
+  double slopeUnit() const { return kHeightUnit / resolution; }  //!< of Plane::slopeX [m/m]
+
+  double resolution;
+  TerrainParams params;
+  PlaneSearch search;
+  TileMap tiles;
+  PlaneSet planes;
+  LeafTree tree;
+  std::size_t cells = 0;
+  bool allOpen = false;               //!< all cells are to be looked at, not just changed ones
+  std::vector<TerrainPlane> list;     //!< of planes that are alive, by their first cells
+  std::vector<std::int32_t> indices;  //!< in the list, by the planes' numbers
+  std::optional<KeyWindow> window;
+
+ private:
+  std::vector<TileCells> takeChanges(int threads);
+  RowBits takeRow(Tile& tile, std::int32_t iy);
+  void forget(Tile& tile, const TileBits& outside);
+};
+
+}  // namespace mrpt_mapconv::terrain

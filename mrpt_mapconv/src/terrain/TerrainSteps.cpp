@@ -1,0 +1,159 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "PlaneRows.h"
+#include "TerrainMapImpl.h"
+
+namespace mrpt_mapconv::terrain
+{
+namespace
+{
+/** Cells between two planes that belong to neither: the riser's. */
+constexpr std::int32_t kMostGap = 2;
+
+/** Where two planes meet, from all pairs of cells that face each other. */
+struct Meeting
+{
+  double rise = 0;                    //!< Σ of the second plane's height above the first's [m]
+  double x = 0, y = 0;                //!< Σ of where they meet [m]
+  double towardsX = 0, towardsY = 0;  //!< Σ of directions from the first to the second
+  double gap = 0;                     //!< Σ of the cells between them
+  std::size_t pairs = 0;
+};
+using Meetings = std::map<std::pair<std::int32_t, std::int32_t>, Meeting>;
+
+/** The first plane beyond a cell in a direction, at most kMostGap cells without a plane away. */
+CellRef facing(const CellRef& from, std::int32_t dx, std::int32_t dy)
+{
+  for (std::int32_t i = 1; i <= kMostGap + 1; ++i)
+  {
+    const CellRef cell = cellAt(*from.tile, from.ix + i * dx, from.iy + i * dy);
+    if (!cell || !cell.tile->isKnown(cell.ix, cell.iy)) return {};
+    if (cell.tile->plane[cell.index()] != kNoPlane) return cell;
+  }
+  return {};
+}
+
+void addMeetings(Tile& tile, const TerrainMap& map, const std::vector<std::int32_t>& indices,
+                 Meetings& meetings)
+{
+  const auto addOf = [&](std::int32_t ix, std::int32_t iy, std::int32_t dx, std::int32_t dy)
+  {
+    const CellRef cell{&tile, ix, iy}, other = facing(cell, dx, dy);
+    if (!other) return;
+    const std::int32_t a = indices[static_cast<std::size_t>(tile.plane[cell.index()])],
+                       b = indices[static_cast<std::size_t>(other.tile->plane[other.index()])];
+    if (a == b) return;
+    const double sign = a < b ? 1 : -1;
+    const double x = 0.5 * map.resolution() * (cell.keyX() + other.keyX()),
+                 y = 0.5 * map.resolution() * (cell.keyY() + other.keyY());
+    const auto height = [&](std::int32_t plane)
+    { return map.planes()[static_cast<std::size_t>(plane)].heightAt(x, y); };
+    Meeting& meeting = meetings[{std::min(a, b), std::max(a, b)}];
+    meeting.rise += height(std::max(a, b)) - height(std::min(a, b));
+    meeting.x += x;
+    meeting.y += y;
+    meeting.towardsX += sign * dx;
+    meeting.towardsY += sign * dy;
+    meeting.gap +=
+        std::max(std::abs(other.keyX() - cell.keyX()), std::abs(other.keyY() - cell.keyY())) - 1;
+    ++meeting.pairs;
+  };
+  for (std::int32_t iy = 0; iy < kTileSide; ++iy)
+  {
+    const RowBits assigned = tile.assigned[static_cast<std::size_t>(iy)];
+    if (!assigned) continue;
+    forEachBit(assigned & differsEast(tile, iy), [&](std::int32_t ix) { addOf(ix, iy, 1, 0); });
+    forEachBit(assigned & differsNorth(tile, iy), [&](std::int32_t ix) { addOf(ix, iy, 0, 1); });
+  }
+}
+
+/** How far a plane reaches in a direction: the median over lines in that direction, each a cell
+ * apart [m]. */
+double depthOf(const std::vector<CellRef>& cells, double directionX, double directionY,
+               double resolution)
+{
+  struct Reach
+  {
+    double least = 1e300, most = -1e300;
+  };
+  std::map<long, Reach> lines;
+  for (const CellRef& cell : cells)
+  {
+    const double along = cell.keyX() * directionX + cell.keyY() * directionY,
+                 across = cell.keyY() * directionX - cell.keyX() * directionY;
+    Reach& reach = lines[std::lround(across)];
+    reach.least = std::min(reach.least, along);
+    reach.most = std::max(reach.most, along);
+  }
+  std::vector<double> depths;
+  for (const auto& line : lines) depths.push_back(line.second.most - line.second.least + 1);
+  const auto middle = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / 2);
+  std::nth_element(depths.begin(), middle, depths.end());
+  return *middle * resolution;
+}
+}  // namespace
+
+std::vector<TerrainStep> TerrainMap::steps() const
+{
+  Meetings meetings;
+  std::vector<std::vector<CellRef>> cells(planes().size());
+  for (Tile* tile : m_impl->tiles.sorted())
+  {
+    addMeetings(*tile, *this, m_impl->indices, meetings);
+    for (std::int32_t iy = 0; iy < kTileSide; ++iy)
+      forEachBit(tile->assigned[static_cast<std::size_t>(iy)],
+                 [&](std::int32_t ix)
+                 {
+                   const CellRef cell{tile, ix, iy};
+                   const std::int32_t index = m_impl->indexOf(tile->plane[cell.index()]);
+                   cells[static_cast<std::size_t>(index)].push_back(cell);
+                 });
+  }
+  const double size = resolution();
+  std::vector<TerrainStep> steps;
+  std::vector<double> gaps;
+  for (const auto& [planes, meeting] : meetings)
+  {
+    const auto n = static_cast<double>(meeting.pairs);
+    const double rise = meeting.rise / n;
+    const double length = std::hypot(meeting.towardsX, meeting.towardsY);
+    if (std::abs(rise) <= m_impl->params.planeTolerance || length == 0) continue;
+    const double sign = rise > 0 ? 1 : -1;
+    TerrainStep step;
+    step.lower = rise > 0 ? planes.first : planes.second;
+    step.upper = rise > 0 ? planes.second : planes.first;
+    step.height = std::abs(rise);
+    step.width = length * size;
+    step.x = meeting.x / n;
+    step.y = meeting.y / n;
+    step.directionX = sign * meeting.towardsX / length;
+    step.directionY = sign * meeting.towardsY / length;
+    step.depth = depthOf(cells[static_cast<std::size_t>(step.upper)], step.directionX,
+                         step.directionY, size);
+    steps.push_back(step);
+    gaps.push_back(meeting.gap / n * size);
+  }
+  // half of the cells between two planes belongs to each
+  std::vector<double> more(steps.size(), 0);
+  for (std::size_t i = 0; i < steps.size(); ++i)
+  {
+    more[i] += gaps[i] / 2;
+    for (std::size_t j = 0; j < steps.size(); ++j)
+      if (steps[j].lower == steps[i].upper &&
+          steps[j].directionX * steps[i].directionX + steps[j].directionY * steps[i].directionY >
+              0.9)
+      {
+        more[i] += gaps[j] / 2;
+        break;
+      }
+  }
+  for (std::size_t i = 0; i < steps.size(); ++i) steps[i].depth += more[i];
+  std::sort(steps.begin(), steps.end(),
+            [](const TerrainStep& a, const TerrainStep& b)
+            { return std::tie(a.lower, a.upper) < std::tie(b.lower, b.upper); });
+  return steps;
+}
+
+}  // namespace mrpt_mapconv::terrain
