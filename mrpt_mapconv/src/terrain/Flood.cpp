@@ -1,6 +1,5 @@
 #include "Flood.h"
 
-#include <atomic>
 #include <cmath>
 
 namespace mrpt_mapconv::terrain
@@ -68,7 +67,7 @@ std::int64_t Flood::count() const
 {
   std::int64_t cells = 0;
   for (const Part& part : m_parts)
-    for (const RowBits row : part.reached) cells += __builtin_popcount(row);
+    for (const RowBits row : part.reached) cells += countOf(row);
   return cells;
 }
 

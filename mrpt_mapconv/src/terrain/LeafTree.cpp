@@ -128,7 +128,7 @@ void listPlanes(Tile& tile)
                                         tile.planes.begin());
       if (last == tile.planes.size()) tile.planes.push_back({id, 0, x, y, xLast, y, x});
       TilePlane& part = tile.planes[last];
-      part.cells += __builtin_popcount(row);
+      part.cells += countOf(row);
       part.xMin = std::min(part.xMin, x);
       part.xMax = std::max(part.xMax, xLast);
       part.yMax = y;

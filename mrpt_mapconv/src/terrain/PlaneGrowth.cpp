@@ -1,7 +1,75 @@
 #include "PlaneGrowth.h"
 
+#include <algorithm>
+
+#include "../grid/Parallel.h"
+#include "SmallFlood.h"
+
 namespace mrpt_mapconv::terrain
 {
+namespace
+{
+// as many seeds as are looked at together, at first and at most
+constexpr std::size_t kFewSeeds = 8, kManySeeds = 8192;
+/** Fewer are not worth a second thread. */
+constexpr std::size_t kWorthThreads = 64;
+
+/** Goes through seeds in the order of their keys. */
+class SeedOrder
+{
+ public:
+  explicit SeedOrder(const std::vector<TileCells>& seeds)
+      : m_end(seeds.end()), m_band(seeds.begin())
+  {
+    startBand(seeds.begin());
+  }
+
+  /** The next seeds that have no plane. */
+  void take(std::size_t most, std::vector<CellRef>& out)
+  {
+    out.clear();
+    while (m_band != m_end && out.size() < most)
+    {
+      takeRow(most, out);
+      if (m_part != m_bandEnd) continue;
+      m_part = m_band;
+      if (++m_iy == kTileSide) startBand(m_bandEnd);
+    }
+  }
+
+ private:
+  using Parts = std::vector<TileCells>::const_iterator;
+
+  /** Tiles side by side. */
+  void startBand(Parts begin)
+  {
+    m_band = m_part = m_bandEnd = begin;
+    m_iy = 0;
+    m_ix = 0;
+    while (m_bandEnd != m_end && m_bandEnd->tile->ty == m_band->tile->ty) ++m_bandEnd;
+  }
+
+  void takeRow(std::size_t most, std::vector<CellRef>& out)
+  {
+    for (; m_part != m_bandEnd; ++m_part, m_ix = 0)
+    {
+      Tile& tile = *m_part->tile;
+      const auto y = static_cast<std::size_t>(m_iy);
+      RowBits left = m_part->bits[y] & tile.known[y] & ~tile.assigned[y] & ~RowBits{0} << m_ix;
+      for (; left; left &= left - 1)
+      {
+        m_ix = __builtin_ctz(left);
+        if (out.size() == most) return;
+        out.push_back({&tile, m_ix, m_iy});
+      }
+    }
+  }
+
+  Parts m_end, m_band, m_bandEnd, m_part;
+  std::int32_t m_ix = 0, m_iy = 0;
+};
+}  // namespace
+
 bool PlaneGrowth::flood(const CellRef& seed, const Plane& plane)
 {
   const auto open = [&](const Tile& tile, std::int32_t iy)
@@ -34,26 +102,60 @@ bool PlaneGrowth::growFrom(const CellRef& seed, PlaneSet& planes)
   return true;
 }
 
-void PlaneGrowth::grow(const std::vector<TileCells>& seeds, PlaneSet& planes, int)
+/** Finds out which seeds would find no plane, as things are. */
+void PlaneGrowth::lookAhead(const std::vector<CellRef>& seeds, int threads)
 {
-  for (auto begin = seeds.begin(); begin != seeds.end();)
+  m_grown.clear();
+  m_hopeless.assign(seeds.size(), 0);
+  grid::inParallel(seeds.size(), seeds.size() < kWorthThreads ? 1 : threads,
+                   [&](std::size_t begin, std::size_t end)
+                   {
+                     SeedPlane seedPlane(m_search);
+                     SmallFlood small(m_search);
+                     for (std::size_t i = begin; i < end; ++i)
+                     {
+                       const auto plane = seedPlane.find(seeds[i]);
+                       m_hopeless[i] = !plane || !small.mayBePlane(seeds[i], *plane);
+                     }
+                   });
+}
+
+/** A seed's plane depends on its window. Planes elsewhere can only have taken cells from it. */
+bool PlaneGrowth::isStillHopeless(const CellRef& seed, std::size_t index) const
+{
+  if (!m_hopeless[index]) return false;
+  const std::int32_t x = seed.keyX(), y = seed.keyY(), r = m_search.window;
+  return std::none_of(
+      m_grown.begin(), m_grown.end(),
+      [&](const KeyBox& box)
+      { return box.xMin <= x + r && box.xMax >= x - r && box.yMin <= y + r && box.yMax >= y - r; });
+}
+
+PlaneGrowth::KeyBox PlaneGrowth::reachedBox() const
+{
+  TileBox box;
+  for (const Flood::Part& part : m_flood.parts()) box.take(*part.tile);
+  return {box.xMin * kTileSide, box.yMin * kTileSide, box.xMax * kTileSide + kTileMask,
+          box.yMax * kTileSide + kTileMask};
+}
+
+void PlaneGrowth::grow(const std::vector<TileCells>& seeds, PlaneSet& planes, int threads)
+{
+  SeedOrder order(seeds);
+  std::vector<CellRef> next;
+  std::size_t many = kFewSeeds;
+  for (order.take(many, next); !next.empty(); order.take(many, next))
   {
-    auto end = begin;
-    while (end != seeds.end() && end->tile->ty == begin->tile->ty) ++end;
-    for (std::int32_t iy = 0; iy < kTileSide; ++iy)
-      for (auto cells = begin; cells != end; ++cells)
-      {
-        Tile& tile = *cells->tile;
-        const auto y = static_cast<std::size_t>(iy);
-        RowBits left = cells->bits[y] & tile.known[y];
-        while ((left &= ~tile.assigned[y]) != 0)
-        {
-          const std::int32_t ix = __builtin_ctz(left);
-          left &= left - 1;
-          growFrom({&tile, ix, iy}, planes);
-        }
-      }
-    begin = end;
+    lookAhead(next, threads);
+    many = std::min(kManySeeds, 2 * many);
+    for (std::size_t i = 0; i < next.size(); ++i)
+    {
+      const CellRef& seed = next[i];
+      if (seed.tile->plane[seed.index()] != kNoPlane || isStillHopeless(seed, i)) continue;
+      if (!growFrom(seed, planes)) continue;
+      m_grown.push_back(reachedBox());
+      many = kFewSeeds;
+    }
   }
 }
 

@@ -9,7 +9,11 @@
 
 namespace mrpt_mapconv::terrain
 {
-/** Grows new planes from cells without one. */
+/** Grows new planes from cells without one.
+ *
+ * Seeds are tried one after the other, but most of them, in rubble, find nothing. So threads look
+ * ahead: they try the next seeds as if none of them found a plane, and the more, the longer that
+ * was so. What a plane may have changed since is tried again; the result is that of one thread. */
 class PlaneGrowth
 {
  public:
@@ -23,12 +27,23 @@ class PlaneGrowth
   void grow(const std::vector<TileCells>& seeds, PlaneSet& planes, int threads);
 
  private:
+  /** A rectangle of keys. */
+  struct KeyBox
+  {
+    std::int32_t xMin, yMin, xMax, yMax;
+  };
+
   bool growFrom(const CellRef& seed, PlaneSet& planes);
   bool flood(const CellRef& seed, const Plane& plane);
+  void lookAhead(const std::vector<CellRef>& seeds, int threads);
+  bool isStillHopeless(const CellRef& seed, std::size_t index) const;
+  KeyBox reachedBox() const;
 
   PlaneSearch m_search;
   SeedPlane m_seedPlane;
   Flood m_flood;
+  std::vector<char> m_hopeless;  //!< of the seeds that were looked at: they find no plane
+  std::vector<KeyBox> m_grown;   //!< what planes have taken since
 };
 
 }  // namespace mrpt_mapconv::terrain

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 namespace mrpt_mapconv::terrain
 {
@@ -90,60 +89,81 @@ void SeedPlane::draw(const CellRef& seed)
 /** Planes through the seed and two other cells; at most K. */
 std::size_t SeedPlane::makeHypotheses()
 {
-  const auto most = static_cast<float>(m_search.mostSlope);
   const auto wanted = static_cast<std::size_t>(m_search.hypotheses);
+  std::array<float, kMost> ax, ay, az, bx, by, bz;
+  for (std::size_t i = 0; i < wanted; ++i)
+  {
+    const std::uint64_t two = random();
+    const auto a = static_cast<std::size_t>((two >> 32) * m_cells >> 32),
+               b = static_cast<std::size_t>((two & 0xFFFFFFFFu) * m_cells >> 32);
+    ax[i] = m_dx[a];
+    ay[i] = m_dy[a];
+    az[i] = m_dz[a];
+    bx[i] = m_dx[b];
+    by[i] = m_dy[b];
+    bz[i] = m_dz[b];
+  }
+  const auto most = static_cast<float>(m_search.mostSlope * m_search.mostSlope);
+  std::array<float, kMost> gx, gy;
+  for (std::size_t i = 0; i < wanted; ++i)
+  {
+    const float det = ax[i] * by[i] - bx[i] * ay[i];  // 0: on one line, the slopes are not finite
+    gx[i] = (az[i] * by[i] - bz[i] * ay[i]) / det;
+    gy[i] = (ax[i] * bz[i] - bx[i] * az[i]) / det;
+  }
   std::size_t count = 0;
   for (std::size_t i = 0; i < wanted; ++i)
   {
-    const std::size_t a = below(m_cells), b = below(m_cells);
-    const float det = m_dx[a] * m_dy[b] - m_dx[b] * m_dy[a];
-    if (det == 0) continue;
-    const float gx = (m_dz[a] * m_dy[b] - m_dz[b] * m_dy[a]) / det;
-    const float gy = (m_dx[a] * m_dz[b] - m_dx[b] * m_dz[a]) / det;
-    if (!(gx * gx + gy * gy <= most * most)) continue;
-    m_gx[count] = gx;
-    m_gy[count] = gy;
-    m_score[count++] = 0;
+    m_gx[count] = gx[i];
+    m_gy[count] = gy[i];
+    m_score[count] = 0;
+    count += gx[i] * gx[i] + gy[i] * gy[i] <= most ? 1 : 0;
   }
   return count;
 }
 
-/** Moves the best to the front; of equal ones the first. */
+/** Moves the best to the front, in their order; of equally good ones the first. */
 std::size_t SeedPlane::keepBest(std::size_t hypotheses, std::size_t kept)
 {
   if (hypotheses <= kept) return hypotheses;
-  std::array<std::uint8_t, kMost> order;
-  std::iota(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(hypotheses),
-            std::uint8_t{0});
-  std::sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(hypotheses),
-            [this](std::uint8_t a, std::uint8_t b)
-            { return m_score[a] != m_score[b] ? m_score[a] > m_score[b] : a < b; });
-  std::sort(order.begin(), order.begin() + static_cast<std::ptrdiff_t>(kept));
-  for (std::size_t i = 0; i < kept; ++i)
+  std::array<std::int32_t, kMost> better{};
+  for (std::size_t j = 0; j < hypotheses; ++j)
   {
-    m_gx[i] = m_gx[order[i]];
-    m_gy[i] = m_gy[order[i]];
-    m_score[i] = m_score[order[i]];
+    const float score = m_score[j];
+    for (std::size_t i = 0; i < j; ++i) better[i] += score > m_score[i] ? 1 : 0;
+    for (std::size_t i = j + 1; i < hypotheses; ++i) better[i] += score >= m_score[i] ? 1 : 0;
+  }
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < hypotheses; ++i)
+  {
+    if (better[i] >= static_cast<std::int32_t>(kept)) continue;
+    m_gx[count] = m_gx[i];
+    m_gy[count] = m_gy[i];
+    m_score[count++] = m_score[i];
   }
   return kept;
 }
 
 std::size_t SeedPlane::winner(std::size_t hypotheses)
 {
-  // a random order of the cells: any start, and a step that has no factor in common with their
-  // number
-  const std::size_t start = below(m_cells);
-  std::size_t step = 1 + below(m_cells);
-  while (std::gcd(step, m_cells) != 1) ++step;
+  // a random order of the cells: any start, and steps of a prime that does not divide their number
+  static constexpr std::array<std::size_t, 8> kPrimes{37, 41, 43, 47, 53, 59, 61, 67};
+  std::size_t at = below(m_cells), prime = below(kPrimes.size());
+  while (m_cells % kPrimes[prime] == 0) prime = (prime + 1) % kPrimes.size();
+  const std::size_t step = kPrimes[prime] % m_cells;
   const auto block = static_cast<std::size_t>(m_search.blockCells);
-  std::size_t allowed = static_cast<std::size_t>(m_search.hypotheses);
-  std::size_t at = start;
-  for (std::size_t i = 0; i < m_cells && hypotheses > 1; ++i)
+  const auto tolerance = static_cast<float>(m_search.tolerance);
+  auto allowed = static_cast<std::size_t>(m_search.hypotheses);
+  for (std::size_t i = 0; i < m_cells && hypotheses > 1;)
   {
-    addScores(m_gx.data(), m_gy.data(), m_score.data(), hypotheses, m_dx[at], m_dy[at], m_dz[at],
-              static_cast<float>(m_search.tolerance));
-    at = (at + step) % m_cells;
-    if ((i + 1) % block != 0) continue;
+    for (const std::size_t end = std::min(m_cells, i + block); i < end; ++i)
+    {
+      addScores(m_gx.data(), m_gy.data(), m_score.data(), hypotheses, m_dx[at], m_dy[at], m_dz[at],
+                tolerance);
+      at += step;
+      if (at >= m_cells) at -= m_cells;
+    }
+    if (i % block != 0) break;  // a part of a block
     allowed = std::max<std::size_t>(1, allowed / 2);
     hypotheses = keepBest(hypotheses, allowed);
   }

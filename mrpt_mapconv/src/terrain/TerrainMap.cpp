@@ -38,10 +38,12 @@ InsertedPoints TerrainMap::insert(const TerrainScan& scan, const PointSigmas& si
   InsertedPoints result;
   TileCache cache(m_impl->tiles);
   PointModel::Batch batch;
+  std::array<CellSums*, PointModel::kBatch> sums;
   for (std::size_t first = 0; first < scan.points; first += PointModel::kBatch)
   {
     const std::size_t count = std::min(PointModel::kBatch, scan.points - first);
     model.compute(first, count, batch);
+    std::size_t kept = 0;
     for (std::size_t i = 0; i < count; ++i)
     {
       if (batch.weight[i] == 0)
@@ -49,9 +51,15 @@ InsertedPoints TerrainMap::insert(const TerrainScan& scan, const PointSigmas& si
       else if (m_impl->window && !m_impl->window->holds(batch.kx[i], batch.ky[i]))
         ++result.outside;
       else
-        m_impl->add(cache, batch.kx[i], batch.ky[i], batch.z[i],
-                    static_cast<std::uint32_t>(batch.weight[i]));
+      {
+        sums[kept] = &m_impl->sumsToChange(cache, batch.kx[i], batch.ky[i]);
+        __builtin_prefetch(sums[kept]);
+        batch.z[kept] = batch.z[i];
+        batch.weight[kept++] = batch.weight[i];
+      }
     }
+    for (std::size_t i = 0; i < kept; ++i)
+      m_impl->add(*sums[i], batch.z[i], static_cast<std::uint32_t>(batch.weight[i]));
   }
   result.inserted = scan.points - result.notFinite - result.outside;
   return result;
@@ -64,7 +72,8 @@ void TerrainMap::insertPoint(double x, double y, double z, double sigma)
   if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z)) return;
   const PointModel::Place place = PointModel::placeOf(x, y, z, m_impl->resolution);
   TileCache cache(m_impl->tiles);
-  m_impl->add(cache, place.kx, place.ky, place.z, PointModel::weightOf(sigma * sigma));
+  m_impl->add(m_impl->sumsToChange(cache, place.kx, place.ky), place.z,
+              PointModel::weightOf(sigma * sigma));
 }
 
 void TerrainMap::update(int threads) { m_impl->follow(threads); }

@@ -49,15 +49,19 @@ class TerrainMap::Impl
  public:
   Impl(double l, const TerrainParams& p);
 
-  void add(TileCache& cache, std::int32_t kx, std::int32_t ky, std::int32_t z, std::uint32_t weight)
+  /** The sums of a cell that gets a point. */
+  CellSums& sumsToChange(TileCache& cache, std::int32_t kx, std::int32_t ky)
   {
     Tile& tile = cache.at(kx >> kTileBits, ky >> kTileBits);
     const std::int32_t ix = kx & kTileMask, iy = ky & kTileMask;
-    CellSums& sums = tile.sums[Tile::indexOf(ix, iy)];
-    cells += sums.points == 0;
-    sums.add(z, weight);
     tile.changed[static_cast<std::size_t>(iy)] |= RowBits{1} << ix;
     tile.hasChanged = true;
+    return tile.sums[Tile::indexOf(ix, iy)];
+  }
+  void add(CellSums& sums, std::int32_t z, std::uint32_t weight)
+  {
+    cells += sums.points == 0;
+    sums.add(z, weight);
   }
   void moveWindow(double x, double y);
   void follow(int threads);

@@ -134,6 +134,14 @@ struct Tile
 #define MRPT_MAPCONV_WIDE
 #endif
 
+/** The number of set bits; the built-in one is a call where the processor is not known to count. */
+inline std::int32_t countOf(RowBits bits)
+{
+  bits -= bits >> 1 & 0x55555555u;
+  bits = (bits & 0x33333333u) + (bits >> 2 & 0x33333333u);
+  return static_cast<std::int32_t>(((bits + (bits >> 4)) & 0x0F0F0F0Fu) * 0x01010101u >> 24);
+}
+
 /** Calls visit(bit) for each set bit of a row, from the lowest. */
 template <class Visit>
 void forEachBit(RowBits bits, const Visit& visit)
