@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "Tile.h"
@@ -78,6 +79,14 @@ class PlaneSet
   PlaneState& at(std::int32_t id) { return m_states[static_cast<std::size_t>(id)]; }
   const PlaneState& at(std::int32_t id) const { return m_states[static_cast<std::size_t>(id)]; }
   std::int32_t end() const { return static_cast<std::int32_t>(m_states.size()); }
+
+  const std::vector<std::int32_t>& freeNumbers() const { return m_free; }
+  /** Planes with their numbers, and those that are free, as another set had them. */
+  void restore(std::vector<PlaneState> states, std::vector<std::int32_t> freeNumbers)
+  {
+    m_states = std::move(states);
+    m_free = std::move(freeNumbers);
+  }
 
   /** Gives a cell to a plane. */
   void assign(const CellRef& cell, std::int32_t id)

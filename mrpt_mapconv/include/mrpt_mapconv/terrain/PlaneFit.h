@@ -43,6 +43,7 @@ class PlaneMoments
   std::int64_t cells() const { return m_n; }
   std::int32_t originX() const { return m_x; }
   std::int32_t originY() const { return m_y; }
+  std::int32_t originZ() const { return m_z; }
   /** False if all cells lie on one line. */
   bool spans() const;
   /** The least-squares plane of the cells, which must span(). */

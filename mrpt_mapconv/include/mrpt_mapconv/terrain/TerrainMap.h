@@ -3,6 +3,7 @@
 #include <mrpt/math/CMatrixFixed.h>
 #include <mrpt/math/TPoint3D.h>
 #include <mrpt/poses/CPose3D.h>
+#include <mrpt/serialization/CArchive.h>
 #include <mrpt_mapconv/grid/Layer.h>
 #include <mrpt_mapconv/terrain/TerrainParams.h>
 
@@ -161,6 +162,14 @@ class TerrainMap
 
   /** All layers on a frame that holds frame(). */
   TerrainLayers layers() const;
+
+  /** Writes cells, planes and leaves, but not the parameters, such that the map that reads them
+   * goes on as this one does. */
+  void save(mrpt::serialization::CArchive& out) const;
+  /** Becomes the map that was written, of its resolution; the parameters stay.
+   * \exception std::exception for a stream that ends or holds no such map; this one then stays as
+   * it was */
+  void load(mrpt::serialization::CArchive& in);
 
   /** Bytes of heap that cells, planes and leaves have. */
   std::size_t memory() const;
