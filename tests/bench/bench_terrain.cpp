@@ -5,7 +5,8 @@
 // <= 10 % of the full extraction). Best of several rounds; the baseline of the ratios is a plain
 // sum of the same points.
 //
-//   bench_terrain [FEWER]    FEWER: divides the number of rounds, to see quickly that it works
+//   bench_terrain [FEWER [PART]]    FEWER: divides the number of rounds, to see quickly that it
+//                                   works; PART: insertion, structured, rubble or update alone
 #include <mrpt_mapconv/observation/ObservationPoints.h>
 #include <mrpt_mapconv/sim/RayCaster.h>
 #include <mrpt_mapconv/sim/Scenario.h>
@@ -213,10 +214,12 @@ void printInsertion()
 int main(int argc, char** argv)
 {
   if (argc > 1) fewer = std::max(1, std::atoi(argv[1]));
-  printInsertion();
+  const std::string part = argc > 2 ? argv[2] : "";
+  const auto isWanted = [&part](const char* name) { return part.empty() || part == name; };
+  if (isWanted("insertion")) printInsertion();
   const Cloud structured = ground(0.1, 1);
-  printExtraction("structured, 10 % rubble", structured);
-  printExtraction("rubble alone", ground(1, 2));
-  printUpdate(structured);
+  if (isWanted("structured")) printExtraction("structured, 10 % rubble", structured);
+  if (isWanted("rubble")) printExtraction("rubble alone", ground(1, 2));
+  if (isWanted("update")) printUpdate(structured);
   return 0;
 }

@@ -40,37 +40,31 @@ std::vector<TileCells> widened(const std::vector<TileCells>& cells)
 }
 }  // namespace
 
-std::vector<Tile*> Extraction::staleTiles() const
+void Extraction::settleBorders(int threads)
 {
-  std::vector<Tile*> stale;
-  for (Tile* tile : m_tiles.sorted())
-    if (tile->isStale) stale.push_back(tile);
-  return stale;
-}
-
-void Extraction::settleBorders()
-{
-  auto where = m_borders.toSettle(staleTiles());
   for (int sweep = 0; sweep < kMostSweeps; ++sweep)
   {
+    const auto where = m_borders.takeUnsettled();
     const bool merged = m_borders.merge(where);
-    const auto moved = m_borders.relax(where);
+    const bool moved = m_borders.relax(where, threads);
     refit();
-    if (!merged && moved.empty()) return;
-    where = m_borders.toSettle(moved);
+    if (!merged && !moved) return;
   }
 }
 
 void Extraction::follow(std::vector<TileCells> open, int threads)
 {
   refit();
-  m_borders.absorb(open);
-  refit();
-  open = widened(open);
+  if (m_planes.end() > 0)
+  {
+    m_borders.absorb(open);
+    refit();
+    open = widened(open);
+  }
   for (int round = 0; round < kMostRounds; ++round)
   {
     m_growth.grow(open, m_planes, threads);
-    settleBorders();
+    settleBorders(threads);
     open = m_borders.splitAndDissolve();
     refit();
     if (open.empty()) return;

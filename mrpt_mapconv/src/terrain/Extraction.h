@@ -25,8 +25,7 @@ class Extraction
 
  private:
   void refit() { m_planes.refit(m_search.minCells); }
-  std::vector<Tile*> staleTiles() const;
-  void settleBorders();
+  void settleBorders(int threads);
 
   const PlaneSearch& m_search;
   TileMap& m_tiles;

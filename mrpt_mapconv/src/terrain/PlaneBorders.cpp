@@ -5,6 +5,7 @@
 #include <numeric>
 #include <unordered_map>
 
+#include "../grid/Parallel.h"
 #include "PlaneRows.h"
 
 namespace mrpt_mapconv::terrain
@@ -105,15 +106,24 @@ bool PlaneBorders::prefers(std::int32_t a, std::int32_t b) const
 /** The plane that a cell is nearest to, its own or that of a neighbour within the tolerance. */
 std::int32_t PlaneBorders::nearest(const CellRef& cell) const
 {
-  std::int32_t best = cell.tile->plane[cell.index()];
-  double least = best == kNoPlane ? 0 : m_planes.distance(cell, best);
+  const std::int32_t own = cell.tile->plane[cell.index()];
+  std::array<std::int32_t, 4> others;
+  std::size_t count = 0;
   for (const Step& step : kNeighbours)
   {
     const CellRef other = cellAt(*cell.tile, cell.ix + step.x, cell.iy + step.y);
     const std::int32_t id = other ? other.tile->plane[other.index()] : kNoPlane;
-    if (id == kNoPlane || id == best) continue;
+    if (id != kNoPlane && id != own && (count == 0 || others[count - 1] != id))
+      others[count++] = id;
+  }
+  if (count == 0) return own;
+  std::int32_t best = own;
+  double least = own == kNoPlane ? 0 : m_planes.distance(cell, own);
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const std::int32_t id = others[i];
     const double distance = m_planes.distance(cell, id);
-    if (distance > m_search.tolerance) continue;
+    if (distance > m_search.tolerance || id == best) continue;
     const bool isNearer = best == kNoPlane || distance < least - kTie ||
                           (distance <= least + kTie && prefers(id, best));
     if (!isNearer) continue;
@@ -203,27 +213,38 @@ bool PlaneBorders::merge(const std::vector<Tile*>& where)
   return any;
 }
 
-std::vector<Tile*> PlaneBorders::relax(const std::vector<Tile*>& where)
+/** The cells of a tile that are nearer to another plane. */
+void PlaneBorders::findNearer(Tile& tile, std::vector<CellRef>& found) const
 {
-  std::vector<Tile*> moved;
-  for (Tile* tile : where)
-  {
-    bool any = false;
-    const TileBits border = borderOf(*tile);
-    for (std::int32_t iy = 0; iy < kTileSide; ++iy)
-      forEachBit(border[static_cast<std::size_t>(iy)] & tile->known[static_cast<std::size_t>(iy)],
-                 [&](std::int32_t ix)
-                 {
-                   const CellRef cell{tile, ix, iy};
-                   const std::int32_t own = tile->plane[cell.index()], best = nearest(cell);
-                   if (best == own) return;
-                   if (own != kNoPlane) m_planes.release(cell);
-                   m_planes.assign(cell, best);
-                   any = true;
-                 });
-    if (any) moved.push_back(tile);
-  }
-  return moved;
+  const TileBits border = borderOf(tile);
+  for (std::int32_t iy = 0; iy < kTileSide; ++iy)
+    forEachBit(border[static_cast<std::size_t>(iy)] & tile.known[static_cast<std::size_t>(iy)],
+               [&](std::int32_t ix)
+               {
+                 const CellRef cell{&tile, ix, iy};
+                 if (nearest(cell) != tile.plane[cell.index()]) found.push_back(cell);
+               });
+}
+
+bool PlaneBorders::relax(const std::vector<Tile*>& where, int threads)
+{
+  std::vector<std::vector<CellRef>> found(where.size());
+  grid::inParallel(where.size(), threads,
+                   [&](std::size_t begin, std::size_t end)
+                   {
+                     for (std::size_t i = begin; i < end; ++i) findNearer(*where[i], found[i]);
+                   });
+  bool any = false;
+  for (const auto& ofTile : found)
+    for (const CellRef& cell : ofTile)
+    {
+      const std::int32_t own = cell.tile->plane[cell.index()], best = nearest(cell);
+      if (best == own) continue;  // a neighbour has moved meanwhile
+      if (own != kNoPlane) m_planes.release(cell);
+      m_planes.assign(cell, best);
+      any = true;
+    }
+  return any;
 }
 
 bool PlaneBorders::hasMoved(const PlaneState& state) const
@@ -231,12 +252,16 @@ bool PlaneBorders::hasMoved(const PlaneState& state) const
   return differenceOver(state.moments, state.plane, state.settled) > kTie;
 }
 
-std::vector<Tile*> PlaneBorders::toSettle(const std::vector<Tile*>& changed)
+std::vector<Tile*> PlaneBorders::takeUnsettled()
 {
   std::vector<Tile*> tiles;
-  for (const Tile* tile : changed)
+  for (Tile* tile : m_tiles.sorted())
+  {
+    if (!tile->isUnsettled) continue;
+    tile->isUnsettled = false;
     for (Tile* near : tile->around)
       if (near) tiles.push_back(near);
+  }
   for (std::int32_t id = 0; id < m_planes.end(); ++id)
   {
     PlaneState& state = m_planes.at(id);

@@ -27,21 +27,23 @@ class PlaneBorders
   bool merge(const std::vector<Tile*>& where);
 
   /** Gives cells at a border to the plane that is nearer; of equally near ones to the less steep.
-   * \return the tiles in which any cell changed its plane */
-  std::vector<Tile*> relax(const std::vector<Tile*>& where);
+   * \param threads 0 = all cores \return whether any cell changed its plane */
+  bool relax(const std::vector<Tile*>& where, int threads);
 
   /** Splits planes that have lost cells and are not connected any more, and gives up what is too
    * small, or but a line. \return the cells that now have no plane, tiles row by row */
   std::vector<TileCells> splitAndDissolve();
 
-  /** Those tiles, the ones around them, and the ones of planes that have moved since they were
-   * settled; row by row. */
-  std::vector<Tile*> toSettle(const std::vector<Tile*>& changed);
+  /** The tiles whose borders have to be looked at: those in which cells were assigned or released
+   * since this was asked last, the ones around them, and the ones of planes that have moved; row by
+   * row. */
+  std::vector<Tile*> takeUnsettled();
   /** The tiles that a plane has cells in. */
   std::vector<Tile*> tilesOf(std::int32_t id) const;
 
  private:
   std::int32_t nearest(const CellRef& cell) const;
+  void findNearer(Tile& tile, std::vector<CellRef>& found) const;
   bool prefers(std::int32_t a, std::int32_t b) const;
   bool agree(std::int32_t a, std::int32_t b) const;
   bool hasMoved(const PlaneState& state) const;

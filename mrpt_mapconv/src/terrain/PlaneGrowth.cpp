@@ -1,6 +1,7 @@
 #include "PlaneGrowth.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "../grid/Parallel.h"
 #include "SmallFlood.h"
@@ -110,7 +111,7 @@ void PlaneGrowth::lookAhead(const std::vector<CellRef>& seeds, int threads)
   grid::inParallel(seeds.size(), seeds.size() < kWorthThreads ? 1 : threads,
                    [&](std::size_t begin, std::size_t end)
                    {
-                     SeedPlane seedPlane(m_search);
+                     SeedPlane seedPlane(m_seedPlane);
                      SmallFlood small(m_search);
                      for (std::size_t i = begin; i < end; ++i)
                      {
@@ -133,10 +134,25 @@ bool PlaneGrowth::isStillHopeless(const CellRef& seed, std::size_t index) const
 
 PlaneGrowth::KeyBox PlaneGrowth::reachedBox() const
 {
-  TileBox box;
-  for (const Flood::Part& part : m_flood.parts()) box.take(*part.tile);
-  return {box.xMin * kTileSide, box.yMin * kTileSide, box.xMax * kTileSide + kTileMask,
-          box.yMax * kTileSide + kTileMask};
+  constexpr auto kMost = std::numeric_limits<std::int32_t>::max();
+  KeyBox box{kMost, kMost, -kMost, -kMost};
+  for (const Flood::Part& part : m_flood.parts())
+  {
+    RowBits columns = 0, rows = 0;
+    forEachBit(part.evaluated,
+               [&](std::int32_t iy)
+               {
+                 const RowBits row = part.reached[static_cast<std::size_t>(iy)];
+                 columns |= row;
+                 rows |= row ? RowBits{1} << iy : 0;
+               });
+    if (!columns) continue;
+    box.xMin = std::min(box.xMin, part.tile->keyX(lowestOf(columns)));
+    box.xMax = std::max(box.xMax, part.tile->keyX(highestOf(columns)));
+    box.yMin = std::min(box.yMin, part.tile->keyY(lowestOf(rows)));
+    box.yMax = std::max(box.yMax, part.tile->keyY(highestOf(rows)));
+  }
+  return box;
 }
 
 void PlaneGrowth::grow(const std::vector<TileCells>& seeds, PlaneSet& planes, int threads)

@@ -17,7 +17,7 @@ namespace
 using Coefficients = PointModel::Coefficients;
 using Batch = PointModel::Batch;
 constexpr double kMostKey = 1 << 30;
-constexpr double kMostHeight = 65000;  // [m], of kHeightUnit in 31 bits
+constexpr double kMostHeight = 32000;  // [m]: differences have 31 bits of kHeightUnit
 
 /** J of z by roll or pitch is linear in the point: d(row·(R p + t)) = (row R)·p + row·t. */
 void setDerivative(const double (&row)[3], const mrpt::math::CMatrixDouble33& r,

@@ -1,7 +1,6 @@
 #include "SeedPlane.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace mrpt_mapconv::terrain
 {
@@ -15,183 +14,180 @@ std::uint64_t mixed(std::uint64_t v)
   return v ^ v >> 31;
 }
 
-/** The bits of a row from column `from` to `to`, which may reach into the tiles beside it. */
-template <class Visit>
-void forEachFree(Tile& tile, std::int32_t iy, std::int32_t from, std::int32_t to,
-                 const Visit& visit)
+/** Hypotheses are worked on so many at once; what is beyond the last is not used. */
+constexpr std::size_t kLanes = 8;
+std::size_t padded(std::size_t count) { return (count + kLanes - 1) / kLanes * kLanes; }
+
+/** Slopes of the planes through the origin and pairs of cells; not finite if on one line. */
+MRPT_MAPCONV_WIDE
+void slopesOf(const float* __restrict x, const float* __restrict y, const float* __restrict z,
+              std::size_t pairs, float* __restrict gx, float* __restrict gy)
 {
-  for (std::int32_t side = from >> kTileBits; side <= to >> kTileBits; ++side)
+  for (std::size_t i = 0; i < pairs; ++i)
   {
-    Tile* beside = tile.neighbour(side, iy >> kTileBits);
-    if (!beside) continue;
-    const std::int32_t first = std::max(from, side * kTileSide),
-                       last = std::min(to, side * kTileSide + kTileMask);
-    const auto y = static_cast<std::size_t>(iy & kTileMask);
-    const RowBits within =
-        ~RowBits{0} << (first & kTileMask) & ~RowBits{0} >> (kTileMask - (last & kTileMask));
-    const std::int32_t* heights = beside->height.data() + y * kTileSide;
-    forEachBit(beside->known[y] & ~beside->assigned[y] & within,
-               [&](std::int32_t bit) { visit(side * kTileSide + bit, heights[bit]); });
+    const float ax = x[2 * i], ay = y[2 * i], az = z[2 * i];
+    const float bx = x[2 * i + 1], by = y[2 * i + 1], bz = z[2 * i + 1];
+    const float det = ax * by - bx * ay;
+    gx[i] = (az * by - bz * ay) / det;
+    gy[i] = (ax * bz - bx * az) / det;
   }
 }
 
+/** Adds max(0, tolerance − |dz − (gx·dx + gy·dy)|) of all cells to the scores. */
+MRPT_MAPCONV_WIDE
 void addScores(const float* __restrict gx, const float* __restrict gy, float* __restrict score,
-               std::size_t hypotheses, float dx, float dy, float dz, float tolerance)
+               std::size_t hypotheses, const float* __restrict dx, const float* __restrict dy,
+               const float* __restrict dz, std::size_t cells, float tolerance)
 {
-  for (std::size_t j = 0; j < hypotheses; ++j)
+  for (std::size_t first = 0; first < hypotheses; first += kLanes)
   {
-    const float left = tolerance - std::fabs(dz - (gx[j] * dx + gy[j] * dy));
-    score[j] += left > 0 ? left : 0;
+    float sum[kLanes];
+    for (std::size_t j = 0; j < kLanes; ++j) sum[j] = score[first + j];
+    for (std::size_t i = 0; i < cells; ++i)
+      for (std::size_t j = 0; j < kLanes; ++j)
+      {
+        const float off = dz[i] - (gx[first + j] * dx[i] + gy[first + j] * dy[i]);
+        const float left = tolerance - (off < 0 ? -off : off);
+        sum[j] += left > 0 ? left : 0;
+      }
+    for (std::size_t j = 0; j < kLanes; ++j) score[first + j] = sum[j];
   }
+}
+
+/** How many are better than each: those of a higher score, and equal ones before it. */
+MRPT_MAPCONV_WIDE
+void countBetter(const float* __restrict score, std::size_t count, std::int32_t* __restrict better)
+{
+  for (std::size_t i = 0; i < padded(count); ++i) better[i] = 0;
+  for (std::size_t j = 0; j < count; ++j)
+    for (std::size_t i = 0; i < padded(count); ++i)
+      better[i] += score[j] > score[i] || (score[j] == score[i] && j < i) ? 1 : 0;
 }
 }  // namespace
 
+SeedPlane::SeedPlane(const PlaneSearch& search) : m_search(search)
+{
+  auto places = std::make_shared<std::vector<Place>>();
+  const std::int32_t r = search.window;
+  for (std::int32_t dy = -r; dy <= r; ++dy)
+    for (std::int32_t dx = -r; dx <= r; ++dx)
+      places->push_back({static_cast<float>(dx), static_cast<float>(dy),
+                         static_cast<std::int16_t>(dx + dy * kTileSide),
+                         static_cast<std::int8_t>(dx), static_cast<std::int8_t>(dy)});
+  m_places = std::move(places);
+}
+
 std::uint64_t SeedPlane::random() { return mixed(m_random += 0x9E3779B97F4A7C15u); }
 
-void SeedPlane::collectAll(const CellRef& seed)
+bool SeedPlane::isWithinTile(const CellRef& seed) const
 {
-  const std::int32_t z = seed.tile->height[seed.index()], r = m_search.window;
-  for (std::int32_t dy = -r; dy <= r; ++dy)
-    forEachFree(*seed.tile, seed.iy + dy, seed.ix - r, seed.ix + r,
-                [&](std::int32_t ix, std::int32_t height)
-                {
-                  const std::int32_t dx = ix - seed.ix;
-                  if (dx == 0 && dy == 0) return;
-                  m_dx[m_cells] = static_cast<float>(dx);
-                  m_dy[m_cells] = static_cast<float>(dy);
-                  m_dz[m_cells++] = static_cast<float>(std::int64_t{height} - z);
-                });
+  const std::int32_t r = m_search.window;
+  return std::min(seed.ix, seed.iy) >= r && std::max(seed.ix, seed.iy) < kTileSide - r;
 }
 
-void SeedPlane::take(const CellRef& seed, std::int32_t dx, std::int32_t dy)
+/** \return how many of the drawn cells are known and free */
+std::size_t SeedPlane::draw(const CellRef& seed, std::size_t count, Drawn& out)
 {
-  const CellRef cell = cellAt(*seed.tile, seed.ix + dx, seed.iy + dy);
-  if (!cell || (dx == 0 && dy == 0) || !cell.tile->isKnown(cell.ix, cell.iy) ||
-      cell.tile->plane[cell.index()] != kNoPlane)
-    return;
-  const std::int64_t z = seed.tile->height[seed.index()];
-  m_dx[m_cells] = static_cast<float>(dx);
-  m_dy[m_cells] = static_cast<float>(dy);
-  m_dz[m_cells++] = static_cast<float>(cell.tile->height[cell.index()] - z);
-}
-
-void SeedPlane::draw(const CellRef& seed)
-{
-  const auto side = static_cast<std::size_t>(2 * m_search.window + 1);
-  for (std::size_t i = 0; i < kMostCells; ++i)
+  const Place* places = m_places->data();
+  const std::size_t area = m_places->size();
+  const bool isWithin = isWithinTile(seed);
+  const auto seedAt = static_cast<std::int32_t>(seed.index());
+  const std::int32_t z = seed.tile->height[seed.index()];
+  std::size_t cells = 0;
+  std::uint64_t bits = 0;
+  for (std::size_t i = 0; i < count; ++i, bits >>= 16)
   {
-    const std::size_t cell = below(side * side);
-    take(seed, static_cast<std::int32_t>(cell % side) - m_search.window,
-         static_cast<std::int32_t>(cell / side) - m_search.window);
+    if (i % 4 == 0) bits = random();
+    const Place& place = places[(bits & 0xFFFFu) * area >> 16];
+    const Tile* tile = seed.tile;
+    auto at = static_cast<std::size_t>(seedAt + place.flat);
+    if (!isWithin)
+    {
+      const CellRef cell = cellAt(*seed.tile, seed.ix + place.ix, seed.iy + place.iy);
+      if (!cell) continue;
+      tile = cell.tile;
+      at = cell.index();
+    }
+    out.dx[cells] = place.dx;
+    out.dy[cells] = place.dy;
+    out.dz[cells] = static_cast<float>(tile->height[at] - z);
+    const std::size_t y = at >> kTileBits;
+    cells += (tile->known[y] & ~tile->assigned[y]) >> (at & kTileMask) & 1u;
   }
+  return cells;
 }
 
 /** Planes through the seed and two other cells; at most K. */
-std::size_t SeedPlane::makeHypotheses()
+std::size_t SeedPlane::makeHypotheses(const CellRef& seed)
 {
-  const auto wanted = static_cast<std::size_t>(m_search.hypotheses);
-  std::array<float, kMost> ax, ay, az, bx, by, bz;
-  for (std::size_t i = 0; i < wanted; ++i)
-  {
-    const std::uint64_t two = random();
-    const auto a = static_cast<std::size_t>((two >> 32) * m_cells >> 32),
-               b = static_cast<std::size_t>((two & 0xFFFFFFFFu) * m_cells >> 32);
-    ax[i] = m_dx[a];
-    ay[i] = m_dy[a];
-    az[i] = m_dz[a];
-    bx[i] = m_dx[b];
-    by[i] = m_dy[b];
-    bz[i] = m_dz[b];
-  }
+  const std::size_t pairs =
+      draw(seed, 2 * static_cast<std::size_t>(m_search.hypotheses), m_drawn) / 2;
+  slopesOf(m_drawn.dx.data(), m_drawn.dy.data(), m_drawn.dz.data(), pairs, m_gx.data(),
+           m_gy.data());
   const auto most = static_cast<float>(m_search.mostSlope * m_search.mostSlope);
-  std::array<float, kMost> gx, gy;
-  for (std::size_t i = 0; i < wanted; ++i)
-  {
-    const float det = ax[i] * by[i] - bx[i] * ay[i];  // 0: on one line, the slopes are not finite
-    gx[i] = (az[i] * by[i] - bz[i] * ay[i]) / det;
-    gy[i] = (ax[i] * bz[i] - bx[i] * az[i]) / det;
-  }
   std::size_t count = 0;
-  for (std::size_t i = 0; i < wanted; ++i)
+  for (std::size_t i = 0; i < pairs; ++i)
   {
-    m_gx[count] = gx[i];
-    m_gy[count] = gy[i];
+    const float gx = m_gx[i], gy = m_gy[i];
+    m_gx[count] = gx;
+    m_gy[count] = gy;
     m_score[count] = 0;
-    count += gx[i] * gx[i] + gy[i] * gy[i] <= most ? 1 : 0;
+    count += gx * gx + gy * gy <= most ? 1 : 0;
   }
   return count;
 }
 
-/** Moves the best to the front, in their order; of equally good ones the first. */
+/** Moves the best to the front, in their order. */
 std::size_t SeedPlane::keepBest(std::size_t hypotheses, std::size_t kept)
 {
   if (hypotheses <= kept) return hypotheses;
-  std::array<std::int32_t, kMost> better{};
-  for (std::size_t j = 0; j < hypotheses; ++j)
-  {
-    const float score = m_score[j];
-    for (std::size_t i = 0; i < j; ++i) better[i] += score > m_score[i] ? 1 : 0;
-    for (std::size_t i = j + 1; i < hypotheses; ++i) better[i] += score >= m_score[i] ? 1 : 0;
-  }
+  std::array<std::int32_t, kMostHypotheses> better;
+  countBetter(m_score.data(), hypotheses, better.data());
   std::size_t count = 0;
   for (std::size_t i = 0; i < hypotheses; ++i)
   {
-    if (better[i] >= static_cast<std::int32_t>(kept)) continue;
     m_gx[count] = m_gx[i];
     m_gy[count] = m_gy[i];
-    m_score[count++] = m_score[i];
+    m_score[count] = m_score[i];
+    count += better[i] < static_cast<std::int32_t>(kept) ? 1 : 0;
   }
   return kept;
 }
 
-std::size_t SeedPlane::winner(std::size_t hypotheses)
+/** Moves the winner to the front. */
+void SeedPlane::findWinner(const CellRef& seed, std::size_t hypotheses)
 {
-  // a random order of the cells: any start, and steps of a prime that does not divide their number
-  static constexpr std::array<std::size_t, 8> kPrimes{37, 41, 43, 47, 53, 59, 61, 67};
-  std::size_t at = below(m_cells), prime = below(kPrimes.size());
-  while (m_cells % kPrimes[prime] == 0) prime = (prime + 1) % kPrimes.size();
-  const std::size_t step = kPrimes[prime] % m_cells;
-  const auto block = static_cast<std::size_t>(m_search.blockCells);
-  const auto tolerance = static_cast<float>(m_search.tolerance);
   auto allowed = static_cast<std::size_t>(m_search.hypotheses);
-  for (std::size_t i = 0; i < m_cells && hypotheses > 1;)
+  while (hypotheses > 1)
   {
-    for (const std::size_t end = std::min(m_cells, i + block); i < end; ++i)
+    auto left = static_cast<std::size_t>(m_search.blockCells);
+    while (left > 0)  // in parts that there is room for
     {
-      addScores(m_gx.data(), m_gy.data(), m_score.data(), hypotheses, m_dx[at], m_dy[at], m_dz[at],
-                tolerance);
-      at += step;
-      if (at >= m_cells) at -= m_cells;
+      const std::size_t part = std::min(left, m_drawn.dx.size());
+      const std::size_t cells = draw(seed, part, m_drawn);
+      addScores(m_gx.data(), m_gy.data(), m_score.data(), hypotheses, m_drawn.dx.data(),
+                m_drawn.dy.data(), m_drawn.dz.data(), cells,
+                static_cast<float>(m_search.tolerance));
+      left -= part;
     }
-    if (i % block != 0) break;  // a part of a block
     allowed = std::max<std::size_t>(1, allowed / 2);
     hypotheses = keepBest(hypotheses, allowed);
   }
-  return static_cast<std::size_t>(
-      std::max_element(m_score.begin(), m_score.begin() + static_cast<std::ptrdiff_t>(hypotheses)) -
-      m_score.begin());
 }
 
 std::optional<Plane> SeedPlane::find(const CellRef& seed)
 {
   m_random = mixed(static_cast<std::uint64_t>(static_cast<std::uint32_t>(seed.keyX())) << 32 |
                    static_cast<std::uint32_t>(seed.keyY()));
-  m_cells = 0;
-  const std::size_t side = static_cast<std::size_t>(2 * m_search.window + 1);
-  if (side * side <= kMostCells)
-    collectAll(seed);
-  else
-    draw(seed);
-  if (m_cells < 2) return std::nullopt;
-  const std::size_t hypotheses = makeHypotheses();
+  const std::size_t hypotheses = makeHypotheses(seed);
   if (hypotheses == 0) return std::nullopt;
-  const std::size_t best = winner(hypotheses);
+  findWinner(seed, hypotheses);
   Plane plane;
   plane.originX = seed.keyX();
   plane.originY = seed.keyY();
   plane.height = seed.tile->height[seed.index()];
-  plane.slopeX = static_cast<double>(m_gx[best]);
-  plane.slopeY = static_cast<double>(m_gy[best]);
+  plane.slopeX = static_cast<double>(m_gx[0]);
+  plane.slopeY = static_cast<double>(m_gy[0]);
   return plane;
 }
 

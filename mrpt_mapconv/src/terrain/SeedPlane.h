@@ -1,7 +1,9 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <optional>
+#include <vector>
 
 #include "Tile.h"
 
@@ -27,35 +29,47 @@ inline bool isAllowed(const Plane& plane, const PlaneSearch& search)
 
 /** Preemptive RANSAC (Nistér 2003) for the plane of one cell.
  *
- * The window is the square of cells around the seed that belong to no plane. Hypotheses are planes
- * through the seed and two other cells of the window, not on one line and not too steep. They are
- * scored, Σ max(0, d − |vertical difference|), on cells of the window in random order; after i
- * cells max(1, ⌊K·2^(−⌊i/B⌋)⌋) remain. All that is random follows from the seed's key. */
+ * The window is the square of cells around the seed. Cells are drawn from it at random, again and
+ * again; those that belong to a plane already, or are not known, are passed over. Of 2 K draws each
+ * two that remain make a hypothesis, the plane through the seed and them, unless the three lie on
+ * one line or the plane is too steep. Hypotheses are scored, Σ max(0, d − |vertical difference|),
+ * on blocks of B more draws; after i draws max(1, ⌊K·2^(−⌊i/B⌋)⌋) remain, of equally good ones the
+ * first. All that is random follows from the seed's key. */
 class SeedPlane
 {
  public:
-  explicit SeedPlane(const PlaneSearch& search) : m_search(search) {}
+  explicit SeedPlane(const PlaneSearch& search);
   /** \param seed a cell without a plane */
   std::optional<Plane> find(const CellRef& seed);
 
- private:
-  static constexpr std::size_t kMostCells = 128;  //!< of a window that are looked at
-  static constexpr std::size_t kMost = 64;        //!< hypotheses
+  static constexpr std::size_t kMostHypotheses = 64;
 
-  void collectAll(const CellRef& seed);
-  void draw(const CellRef& seed);
-  void take(const CellRef& seed, std::int32_t dx, std::int32_t dy);
-  std::size_t makeHypotheses();
-  std::size_t winner(std::size_t hypotheses);
-  std::size_t keepBest(std::size_t hypotheses, std::size_t kept);
+ private:
+  /** Cells of the window, from the seed on. */
+  struct Drawn
+  {
+    std::array<float, 2 * kMostHypotheses> dx{}, dy{}, dz{};
+  };
+
   std::uint64_t random();
-  std::size_t below(std::size_t n) { return static_cast<std::size_t>((random() >> 32) * n >> 32); }
+  std::size_t draw(const CellRef& seed, std::size_t count, Drawn& out);
+  std::size_t makeHypotheses(const CellRef& seed);
+  void findWinner(const CellRef& seed, std::size_t hypotheses);
+  std::size_t keepBest(std::size_t hypotheses, std::size_t kept);
 
   PlaneSearch m_search;
   std::uint64_t m_random = 0;
-  std::size_t m_cells = 0;  //!< of the window, but the seed
-  std::array<float, kMostCells> m_dx, m_dy, m_dz;
-  std::array<float, kMost> m_gx, m_gy, m_score;
+  /** A place in the window. */
+  struct Place
+  {
+    float dx, dy;
+    std::int16_t flat;  //!< dx + dy·kTileSide
+    std::int8_t ix, iy;
+  };
+  bool isWithinTile(const CellRef& seed) const;
+  std::shared_ptr<const std::vector<Place>> m_places;  //!< of all copies
+  Drawn m_drawn;
+  std::array<float, kMostHypotheses> m_gx{}, m_gy{}, m_score{};
 };
 
 }  // namespace mrpt_mapconv::terrain

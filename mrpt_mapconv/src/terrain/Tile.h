@@ -94,6 +94,7 @@ struct Tile
   std::vector<TileLeaf> leaves;   //!< by their codes
   bool hasChanged = false;        //!< bits of `changed`
   bool isStale = true;            //!< `planes` and `leaves` have yet to follow
+  bool isUnsettled = false;       //!< cells were assigned or released, borders have yet to follow
 
   // of the flood that was here last
   std::uint64_t floodNumber = 0;
@@ -117,13 +118,13 @@ struct Tile
   {
     plane[index] = to;
     assigned[index >> kTileBits] |= RowBits{1} << (index & kTileMask);
-    isStale = true;
+    isStale = isUnsettled = true;
   }
   void release(std::size_t index)
   {
     plane[index] = kNoPlane;
     assigned[index >> kTileBits] &= ~(RowBits{1} << (index & kTileMask));
-    isStale = true;
+    isStale = isUnsettled = true;
   }
 };
 
@@ -140,6 +141,16 @@ inline std::int32_t countOf(RowBits bits)
   bits -= bits >> 1 & 0x55555555u;
   bits = (bits & 0x33333333u) + (bits >> 2 & 0x33333333u);
   return static_cast<std::int32_t>(((bits + (bits >> 4)) & 0x0F0F0F0Fu) * 0x01010101u >> 24);
+}
+
+/** The lowest and the highest set bit; there has to be one. */
+inline std::int32_t lowestOf(RowBits bits)
+{
+  return static_cast<std::int32_t>(__builtin_ctz(bits));
+}
+inline std::int32_t highestOf(RowBits bits)
+{
+  return kTileMask - static_cast<std::int32_t>(__builtin_clz(bits));
 }
 
 /** Calls visit(bit) for each set bit of a row, from the lowest. */

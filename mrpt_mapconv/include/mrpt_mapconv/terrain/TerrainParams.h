@@ -28,7 +28,7 @@ struct TerrainParams
   HeightRule heightRule = HeightRule::Fused;
   double planeTolerance = 0.03;  //!< d [m]
   double planeWindow = 0.2;      //!< half its side [m]
-  std::int32_t hypotheses = 16;  //!< K
+  std::int32_t hypotheses = 12;  //!< K
   std::int32_t blockCells = 8;   //!< B
   std::int32_t minPlaneCells = 12;
   double maxPlaneSlope = 1.0;  //!< [m/m]
