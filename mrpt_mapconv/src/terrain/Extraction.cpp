@@ -44,7 +44,7 @@ void Extraction::settleBorders(int threads)
 {
   for (int sweep = 0; sweep < kMostSweeps; ++sweep)
   {
-    const auto where = m_borders.takeUnsettled();
+    const auto where = m_borders.takeUnsettled(threads);
     const bool merged = m_borders.merge(where);
     const bool moved = m_borders.relax(where, threads);
     refit();

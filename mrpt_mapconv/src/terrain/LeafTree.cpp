@@ -45,8 +45,6 @@ std::uint64_t codeOf(const Leaf& leaf)
                 static_cast<std::uint32_t>(leaf.y) + kOffset);
 }
 
-constexpr std::int32_t kMixed = -2;  // not all of one plane
-
 /** Makes the leaves of one tile. */
 class TileLeaves
 {
@@ -56,56 +54,59 @@ class TileLeaves
   void make()
   {
     m_tile.leaves.clear();
+    m_uniform[0] = m_tile.assigned;
+    for (std::int32_t iy = 0; iy < kTileSide; ++iy)
+    {
+      m_sameEast[static_cast<std::size_t>(iy)] = ~differsEast(m_tile, iy);
+      m_sameNorth[static_cast<std::size_t>(iy)] = ~differsNorth(m_tile, iy);
+    }
     for (std::size_t level = 1; level <= kTileBits; ++level) reduce(level);
     emit(kTileBits, 0, 0);
     m_tile.leaves.shrink_to_fit();
   }
 
  private:
-  static std::size_t side(std::size_t level) { return std::size_t{kTileSide} >> level; }
-  std::int32_t valueAt(std::size_t level, std::size_t x, std::size_t y) const
-  {
-    return level == 0 ? m_tile.plane[y * kTileSide + x] : m_planes[level][y * side(level) + x];
-  }
-
+  /** Bits at the lower corners of squares of one plane: those of four squares of one plane each
+   * that also have the same plane where they touch. */
   void reduce(std::size_t level)
   {
-    const std::size_t n = side(level);
-    for (std::size_t y = 0; y < n; ++y)
-      for (std::size_t x = 0; x < n; ++x)
-      {
-        const std::int32_t a = valueAt(level - 1, 2 * x, 2 * y);
-        const bool same = a >= 0 && a == valueAt(level - 1, 2 * x + 1, 2 * y) &&
-                          a == valueAt(level - 1, 2 * x, 2 * y + 1) &&
-                          a == valueAt(level - 1, 2 * x + 1, 2 * y + 1);
-        m_planes[level][y * n + x] = same ? a : kMixed;
-      }
+    const std::size_t half = std::size_t{1} << (level - 1);
+    const TileBits& from = m_uniform[level - 1];
+    m_uniform[level] = {};
+    for (std::size_t y = 0; y < kTileSide; y += 2 * half)
+    {
+      const RowBits both = from[y] & from[y + half] & m_sameNorth[y + half - 1];
+      const RowBits east = m_sameEast[y] >> (half - 1);
+      m_uniform[level][y] = both & both >> half & east & kCorners[level];
+    }
   }
 
   void emit(std::size_t level, std::size_t x, std::size_t y)
   {
-    const std::int32_t plane = valueAt(level, x, y);
-    if (level == 0 && plane == kNoPlane)
+    if (m_uniform[level][y] >> x & 1u)
+      return add(level, x, y, m_tile.plane[y * kTileSide + x], false);
+    if (level == 0)
     {
-      if (m_tile.isKnown(static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)))
-        add(0, x, y, m_tile.height[y * kTileSide + x], true);
+      if (m_tile.known[y] >> x & 1u) add(0, x, y, m_tile.height[y * kTileSide + x], true);
       return;
     }
-    if (plane >= 0) return add(level, x, y, plane, false);
+    const std::size_t half = std::size_t{1} << (level - 1);
     for (std::size_t child = 0; child < 4; ++child)
-      emit(level - 1, 2 * x + (child & 1), 2 * y + (child >> 1));
+      emit(level - 1, x + (child & 1) * half, y + (child >> 1) * half);
   }
 
   void add(std::size_t level, std::size_t x, std::size_t y, std::int32_t value, bool own)
   {
-    const auto code =
-        morton(static_cast<std::uint32_t>(x << level), static_cast<std::uint32_t>(y << level));
+    const auto code = morton(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y));
     m_tile.leaves.push_back(
         {static_cast<std::uint16_t>(code), static_cast<std::uint8_t>(level), value, own});
   }
 
+  static constexpr std::array<RowBits, kTileBits + 1> kCorners{
+      0xFFFFFFFFu, 0x55555555u, 0x11111111u, 0x01010101u, 0x00010001u, 1u};
   Tile& m_tile;
-  std::array<std::array<std::int32_t, kTileCells / 4>, kTileBits + 1> m_planes;
+  TileBits m_sameEast, m_sameNorth;
+  std::array<TileBits, kTileBits + 1> m_uniform;
 };
 
 /** Makes the list of the planes of one tile. */

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 #include <unordered_map>
 
 #include "../grid/Parallel.h"
@@ -14,6 +15,8 @@ namespace
 {
 /** Distances that differ by less are the same: heights are rounded [kHeightUnit]. */
 constexpr double kTie = 4;
+/** As far as cells give way to another plane at once [cells]. */
+constexpr int kMostLayers = 1000;
 
 struct Step
 {
@@ -32,41 +35,53 @@ double differenceOver(const PlaneMoments& cells, const Plane& a, const Plane& b)
   return std::abs(middle) + std::abs(sx) * cells.halfWidthX() + std::abs(sy) * cells.halfWidthY();
 }
 
-std::vector<Tile*> sortedUnique(std::vector<Tile*> tiles)
+/** Row by row; of the same tile those with a moved plane count. */
+void sortUnique(std::vector<PlaneBorders::Unsettled>& parts)
 {
-  const auto place = [](const Tile* t) { return std::make_pair(t->ty, t->tx); };
-  std::sort(tiles.begin(), tiles.end(),
-            [&](const Tile* a, const Tile* b) { return place(a) < place(b); });
-  tiles.erase(std::unique(tiles.begin(), tiles.end()), tiles.end());
-  return tiles;
+  const auto place = [](const PlaneBorders::Unsettled& p)
+  { return std::make_tuple(p.tile->ty, p.tile->tx, !p.hasMovedPlane); };
+  std::sort(parts.begin(), parts.end(),
+            [&](const auto& a, const auto& b) { return place(a) < place(b); });
+  parts.erase(std::unique(parts.begin(), parts.end(),
+                          [](const auto& a, const auto& b) { return a.tile == b.tile; }),
+              parts.end());
 }
 
-/** Where two planes touch, each pair once. */
-std::vector<std::pair<std::int32_t, std::int32_t>> touchingPairs(const std::vector<Tile*>& where)
+/** Two planes, the lower number first. */
+using PlanePair = std::pair<std::int32_t, std::int32_t>;
+
+void sortUnique(std::vector<PlanePair>& pairs)
 {
-  std::vector<std::pair<std::int32_t, std::int32_t>> pairs;
-  const auto add = [&](std::int32_t a, std::int32_t b)
-  {
-    const auto pair = std::minmax(a, b);
-    if (pair.first != kNoPlane &&
-        (pairs.empty() || pairs.back() != std::make_pair(pair.first, pair.second)))
-      pairs.emplace_back(pair.first, pair.second);
-  };
-  for (Tile* tile : where)
-    for (std::int32_t iy = 0; iy < kTileSide; ++iy)
-    {
-      const RowBits assigned = tile->assigned[static_cast<std::size_t>(iy)];
-      const auto addOf = [&](std::int32_t ix, std::int32_t dx, std::int32_t dy)
-      {
-        const CellRef other = cellAt(*tile, ix + dx, iy + dy);
-        if (other) add(tile->plane[Tile::indexOf(ix, iy)], other.tile->plane[other.index()]);
-      };
-      if (!assigned) continue;
-      forEachBit(assigned & differsEast(*tile, iy), [&](std::int32_t ix) { addOf(ix, 1, 0); });
-      forEachBit(assigned & differsNorth(*tile, iy), [&](std::int32_t ix) { addOf(ix, 0, 1); });
-    }
   std::sort(pairs.begin(), pairs.end());
   pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+}
+
+/** The planes that touch in a tile. */
+void addPairs(const PlaneBorders::Unsettled& part, std::vector<PlanePair>& pairs)
+{
+  Tile& tile = *part.tile;
+  const std::size_t before = pairs.size();
+  const auto add = [&](std::int32_t ix, std::int32_t iy, std::int32_t dx, std::int32_t dy)
+  {
+    const CellRef other = cellAt(tile, ix + dx, iy + dy);
+    const PlanePair pair =
+        std::minmax(+tile.plane[Tile::indexOf(ix, iy)], +other.tile->plane[other.index()]);
+    if (pairs.size() == before || pairs.back() != pair) pairs.push_back(pair);
+  };
+  for (std::int32_t iy = 0; iy < kTileSide; ++iy)
+  {
+    const auto y = static_cast<std::size_t>(iy);
+    forEachBit(part.meetings.east[y], [&](std::int32_t ix) { add(ix, iy, 1, 0); });
+    forEachBit(part.meetings.north[y], [&](std::int32_t ix) { add(ix, iy, 0, 1); });
+  }
+}
+
+std::vector<PlanePair> touchingPairs(const std::vector<PlaneBorders::Unsettled>& where)
+{
+  std::vector<PlanePair> pairs;
+  for (const auto& part : where)
+    if (!part.meetings.empty) addPairs(part, pairs);
+  sortUnique(pairs);
   return pairs;
 }
 }  // namespace
@@ -185,7 +200,7 @@ void PlaneBorders::join(std::int32_t from, std::int32_t to)
   m_planes.remove(from);
 }
 
-bool PlaneBorders::merge(const std::vector<Tile*>& where)
+bool PlaneBorders::merge(const std::vector<Unsettled>& where)
 {
   const auto pairs = touchingPairs(where);
   std::vector<std::int32_t> now(static_cast<std::size_t>(m_planes.end()));
@@ -214,36 +229,54 @@ bool PlaneBorders::merge(const std::vector<Tile*>& where)
 }
 
 /** The cells of a tile that are nearer to another plane. */
-void PlaneBorders::findNearer(Tile& tile, std::vector<CellRef>& found) const
+void PlaneBorders::findNearer(const Unsettled& part, std::vector<CellRef>& found) const
 {
-  const TileBits border = borderOf(tile);
-  for (std::int32_t iy = 0; iy < kTileSide; ++iy)
-    forEachBit(border[static_cast<std::size_t>(iy)] & tile.known[static_cast<std::size_t>(iy)],
-               [&](std::int32_t ix)
-               {
-                 const CellRef cell{&tile, ix, iy};
-                 if (nearest(cell) != tile.plane[cell.index()]) found.push_back(cell);
-               });
+  Tile& tile = *part.tile;
+  const auto look = [&](const TileBits& cells)
+  {
+    for (std::int32_t iy = 0; iy < kTileSide; ++iy)
+      forEachBit(cells[static_cast<std::size_t>(iy)],
+                 [&](std::int32_t ix)
+                 {
+                   const CellRef cell{&tile, ix, iy};
+                   if (nearest(cell) != tile.plane[cell.index()]) found.push_back(cell);
+                 });
+  };
+  if (!part.meetings.empty) look(part.meetings.any);
+  if (part.hasMovedPlane) look(freeBesidePlanes(tile));
 }
 
-bool PlaneBorders::relax(const std::vector<Tile*>& where, int threads)
+bool PlaneBorders::moveToNearest(const CellRef& cell)
+{
+  if (!cell || !cell.tile->isKnown(cell.ix, cell.iy)) return false;
+  const std::int32_t own = cell.tile->plane[cell.index()], best = nearest(cell);
+  if (best == own) return false;
+  if (own != kNoPlane) m_planes.release(cell);
+  m_planes.assign(cell, best);
+  return true;
+}
+
+bool PlaneBorders::relax(const std::vector<Unsettled>& where, int threads)
 {
   std::vector<std::vector<CellRef>> found(where.size());
   grid::inParallel(where.size(), threads,
                    [&](std::size_t begin, std::size_t end)
                    {
-                     for (std::size_t i = begin; i < end; ++i) findNearer(*where[i], found[i]);
+                     for (std::size_t i = begin; i < end; ++i) findNearer(where[i], found[i]);
                    });
-  bool any = false;
+  std::vector<CellRef> moved;
   for (const auto& ofTile : found)
     for (const CellRef& cell : ofTile)
-    {
-      const std::int32_t own = cell.tile->plane[cell.index()], best = nearest(cell);
-      if (best == own) continue;  // a neighbour has moved meanwhile
-      if (own != kNoPlane) m_planes.release(cell);
-      m_planes.assign(cell, best);
-      any = true;
-    }
+      if (moveToNearest(cell)) moved.push_back(cell);
+  const bool any = !moved.empty();
+  // each layer lets the next one move; equally near planes could take turns for ever
+  for (int layer = 0; layer < kMostLayers && !moved.empty(); ++layer)
+    for (const CellRef& cell : std::exchange(moved, {}))
+      for (const Step& step : kNeighbours)
+      {
+        const CellRef next = cellAt(*cell.tile, cell.ix + step.x, cell.iy + step.y);
+        if (moveToNearest(next)) moved.push_back(next);
+      }
   return any;
 }
 
@@ -252,24 +285,31 @@ bool PlaneBorders::hasMoved(const PlaneState& state) const
   return differenceOver(state.moments, state.plane, state.settled) > kTie;
 }
 
-std::vector<Tile*> PlaneBorders::takeUnsettled()
+std::vector<PlaneBorders::Unsettled> PlaneBorders::takeUnsettled(int threads)
 {
-  std::vector<Tile*> tiles;
+  std::vector<Unsettled> parts;
   for (Tile* tile : m_tiles.sorted())
   {
     if (!tile->isUnsettled) continue;
     tile->isUnsettled = false;
     for (Tile* near : tile->around)
-      if (near) tiles.push_back(near);
+      if (near) parts.push_back({near});
   }
   for (std::int32_t id = 0; id < m_planes.end(); ++id)
   {
     PlaneState& state = m_planes.at(id);
     if (!state.isAlive || state.moments.cells() == 0 || !hasMoved(state)) continue;
     state.settled = state.plane;
-    for (Tile* tile : tilesOf(id)) tiles.push_back(tile);
+    for (Tile* tile : tilesOf(id)) parts.push_back({tile, true});
   }
-  return sortedUnique(std::move(tiles));
+  sortUnique(parts);
+  grid::inParallel(parts.size(), threads,
+                   [&](std::size_t begin, std::size_t end)
+                   {
+                     for (std::size_t i = begin; i < end; ++i)
+                       parts[i].meetings = meetingsOf(*parts[i].tile);
+                   });
+  return parts;
 }
 
 void PlaneBorders::releaseAll(std::int32_t id, Freed& freed)

@@ -115,6 +115,8 @@ void PlaneGrowth::lookAhead(const std::vector<CellRef>& seeds, int threads)
                      SmallFlood small(m_search);
                      for (std::size_t i = begin; i < end; ++i)
                      {
+                       m_hopeless[i] = true;
+                       if (!small.hasRoom(seeds[i])) continue;
                        const auto plane = seedPlane.find(seeds[i]);
                        m_hopeless[i] = !plane || !small.mayBePlane(seeds[i], *plane);
                      }

@@ -41,6 +41,13 @@ RowBits differsFromRow(const Tile& tile, std::int32_t iy, std::int32_t other)
                : tile.assigned[static_cast<std::size_t>(iy)];
 }
 
+/** Assigned cells of a row, which may be that of a tile to the north or south. */
+RowBits assignedRow(const Tile& tile, std::int32_t iy)
+{
+  const Tile* there = tile.neighbour(0, iy >> kTileBits);
+  return there ? there->assigned[static_cast<std::size_t>(iy & kTileMask)] : 0;
+}
+
 std::int32_t planeOf(const Tile* tile, std::int32_t ix, std::int32_t iy)
 {
   return tile ? tile->plane[Tile::indexOf(ix, iy)] : kNoPlane;
@@ -64,20 +71,48 @@ RowBits differsEast(const Tile& tile, std::int32_t iy)
 
 RowBits differsNorth(const Tile& tile, std::int32_t iy) { return differsFromRow(tile, iy, iy + 1); }
 
-TileBits borderOf(const Tile& tile)
+PlaneMeetings meetingsOf(const Tile& tile)
 {
-  TileBits border{};
+  PlaneMeetings meet;
+  const Tile *east = tile.neighbour(1, 0), *west = tile.neighbour(-1, 0);
+  RowBits all = 0;
   for (std::int32_t iy = 0; iy < kTileSide; ++iy)
   {
     const auto y = static_cast<std::size_t>(iy);
-    const RowBits east = differsEast(tile, iy), north = differsNorth(tile, iy);
-    border[y] |= east | east << 1 | north;
-    if (planeOf(tile.neighbour(-1, 0), kTileMask, iy) != tile.plane[Tile::indexOf(0, iy)])
-      border[y] |= 1;
-    if (iy < kTileMask) border[y + 1] |= north;
+    const RowBits assigned = tile.assigned[y];
+    if (!assigned) continue;
+    const RowBits beyond = east ? east->assigned[y] << kTileMask : 0;
+    meet.east[y] = differsEast(tile, iy) & assigned & (assigned >> 1 | beyond);
+    meet.north[y] = differsNorth(tile, iy) & assigned & assignedRow(tile, iy + 1);
+    meet.any[y] |= meet.east[y] | meet.east[y] << 1 | meet.north[y];
+    const std::int32_t beside = planeOf(west, kTileMask, iy);
+    if ((assigned & 1u) && beside != kNoPlane && beside != tile.plane[Tile::indexOf(0, iy)])
+      meet.any[y] |= 1;
+    if (iy < kTileMask) meet.any[y + 1] |= meet.north[y];
+    all |= meet.any[y];
   }
-  border[0] |= differsFromRow(tile, 0, -1);
-  return border;
+  const RowBits south = differsFromRow(tile, 0, -1) & tile.assigned[0] & assignedRow(tile, -1);
+  meet.any[0] |= south;
+  meet.empty = (all | south) == 0;
+  return meet;
+}
+
+TileBits freeBesidePlanes(const Tile& tile)
+{
+  TileBits cells{};
+  const Tile *east = tile.neighbour(1, 0), *west = tile.neighbour(-1, 0);
+  for (std::int32_t iy = 0; iy < kTileSide; ++iy)
+  {
+    const auto y = static_cast<std::size_t>(iy);
+    const RowBits open = tile.known[y] & ~tile.assigned[y];
+    if (!open) continue;
+    const RowBits own = tile.assigned[y];
+    RowBits beside = own << 1 | own >> 1 | assignedRow(tile, iy + 1) | assignedRow(tile, iy - 1);
+    if (east) beside |= east->assigned[y] << kTileMask;
+    if (west) beside |= west->assigned[y] >> kTileMask;
+    cells[y] = open & beside;
+  }
+  return cells;
 }
 
 }  // namespace mrpt_mapconv::terrain

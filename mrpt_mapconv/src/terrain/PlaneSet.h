@@ -41,6 +41,9 @@ struct PlaneState
   bool hasLost = false;     //!< cells, since it was last known to be connected
 };
 
+/** Whether a plane stays connected if it loses this cell, as far as the 8 cells around it tell. */
+bool isDispensable(const CellRef& cell);
+
 /** The planes by their numbers; those of planes that are no more are used again. */
 class PlaneSet
 {
@@ -102,8 +105,27 @@ class PlaneSet
   {
     PlaneState& state = at(cell.tile->plane[cell.index()]);
     state.moments.remove(cell.keyX(), cell.keyY(), cell.tile->height[cell.index()]);
-    state.hasChanged = state.hasLost = true;
+    state.hasChanged = true;
+    state.hasLost |= !isDispensable(cell);
     cell.tile->release(cell.index());
+  }
+  /** Gives a cell another height; it leaves its plane if it is then further away. */
+  void setHeight(const CellRef& cell, std::int32_t z, double tolerance)
+  {
+    std::int32_t& height = cell.tile->height[cell.index()];
+    const std::int32_t id = cell.tile->plane[cell.index()];
+    if (id == kNoPlane || z == height)
+    {
+      height = z;
+      return;
+    }
+    PlaneState& state = at(id);
+    const std::int32_t kx = cell.keyX(), ky = cell.keyY();
+    state.moments.remove(kx, ky, height);
+    state.hasChanged = true;
+    height = z;
+    state.moments.add(kx, ky, z);
+    if (distance(cell, id) > tolerance) release(cell);
   }
   /** Vertical difference of a cell to a plane [kHeightUnit]. */
   double distance(const CellRef& cell, std::int32_t id) const

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <cstring>
 #include <stdexcept>
 
 #include "Tile.h"
@@ -48,6 +48,14 @@ void cleanPoints(float* x, float* y, float* z, float* finite, std::size_t count)
     z[i] = ok ? z[i] : 0.0f;
     finite[i] = ok ? 1.0f : 0.0f;
   }
+}
+
+void copyOut(const float* from, std::size_t first, std::size_t count, std::size_t stride, float* to)
+{
+  if (stride == 1)
+    std::copy_n(from + first, count, to);
+  else
+    for (std::size_t i = 0; i < count; ++i) to[i] = from[(first + i) * stride];
 }
 
 MRPT_MAPCONV_WIDE
@@ -98,16 +106,23 @@ void computeWeights(const Coefficients& c, const float* __restrict x, const floa
   }
 }
 
+/** The largest magnitude of the finite numbers: magnitudes are ordered as their bits are. */
 MRPT_MAPCONV_WIDE
-float largest(const float* v, std::size_t count, std::size_t stride)
+float largest(const float* __restrict v, std::size_t count)
 {
-  float most = 0;
+  constexpr std::int32_t kInfinity = 0x7F800000;
+  std::int32_t most = 0;
   for (std::size_t i = 0; i < count; ++i)
   {
-    const float a = std::fabs(v[i * stride]);
-    most = a > most && a <= std::numeric_limits<float>::max() ? a : most;
+    std::int32_t bits;
+    std::memcpy(&bits, v + i, sizeof(bits));
+    const std::int32_t magnitude = bits & 0x7FFFFFFF;
+    const std::int32_t finite = magnitude < kInfinity ? magnitude : 0;
+    most = finite > most ? finite : most;
   }
-  return most;
+  float out;
+  std::memcpy(&out, &most, sizeof(out));
+  return out;
 }
 
 void requireInRange(const mrpt::math::TPoint3D& p, double resolution)
@@ -172,14 +187,9 @@ PointModel::PointModel(const TerrainScan& scan, const PointSigmas& sigmas, doubl
 void PointModel::compute(std::size_t first, std::size_t count, Batch& out) const
 {
   float x[kBatch], y[kBatch], z[kBatch], finite[kBatch];
-  const std::size_t stride = m_scan.stride;
-  for (std::size_t i = 0; i < count; ++i)
-  {
-    const std::size_t at = (first + i) * stride;
-    x[i] = m_scan.x[at];
-    y[i] = m_scan.y[at];
-    z[i] = m_scan.z[at];
-  }
+  copyOut(m_scan.x, first, count, m_scan.stride, x);
+  copyOut(m_scan.y, first, count, m_scan.stride, y);
+  copyOut(m_scan.z, first, count, m_scan.stride, z);
   cleanPoints(x, y, z, finite, count);
   computeCells(m_c, x, y, z, count, out.kx.data(), out.ky.data(), out.z.data());
   computeWeights(m_c, x, y, z, finite, count, out.weight.data());
@@ -203,11 +213,16 @@ std::uint32_t PointModel::weightOf(double variance)
   return static_cast<std::uint32_t>(kWeightUnit / bounded + 0.5);
 }
 
+/** The largest magnitude of a coordinate; of points side by side in memory, of all of them. */
+double PointModel::mostOf(const float* v) const
+{
+  if (m_scan.points == 0) return 0;
+  return static_cast<double>(largest(v, (m_scan.points - 1) * m_scan.stride + 1));
+}
+
 void PointModel::checkRange() const
 {
-  const auto most = [this](const float* v)
-  { return static_cast<double>(largest(v, m_scan.points, m_scan.stride)); };
-  const double reach = std::hypot(most(m_scan.x), most(m_scan.y), most(m_scan.z));
+  const double reach = std::hypot(mostOf(m_scan.x), mostOf(m_scan.y), mostOf(m_scan.z));
   const double across = std::max(std::abs(m_c.shift[0]), std::abs(m_c.shift[1]));
   if (across + reach < kMostKey * m_c.resolution && std::abs(m_c.shift[2]) + reach < kMostHeight)
     return;

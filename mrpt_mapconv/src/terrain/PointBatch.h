@@ -53,6 +53,8 @@ class PointModel
   };
 
  private:
+  double mostOf(const float* v) const;
+
   const TerrainScan& m_scan;
   Coefficients m_c;
 };

@@ -38,28 +38,11 @@ InsertedPoints TerrainMap::insert(const TerrainScan& scan, const PointSigmas& si
   InsertedPoints result;
   TileCache cache(m_impl->tiles);
   PointModel::Batch batch;
-  std::array<CellSums*, PointModel::kBatch> sums;
   for (std::size_t first = 0; first < scan.points; first += PointModel::kBatch)
   {
     const std::size_t count = std::min(PointModel::kBatch, scan.points - first);
     model.compute(first, count, batch);
-    std::size_t kept = 0;
-    for (std::size_t i = 0; i < count; ++i)
-    {
-      if (batch.weight[i] == 0)
-        ++result.notFinite;
-      else if (m_impl->window && !m_impl->window->holds(batch.kx[i], batch.ky[i]))
-        ++result.outside;
-      else
-      {
-        sums[kept] = &m_impl->sumsToChange(cache, batch.kx[i], batch.ky[i]);
-        __builtin_prefetch(sums[kept]);
-        batch.z[kept] = batch.z[i];
-        batch.weight[kept++] = batch.weight[i];
-      }
-    }
-    for (std::size_t i = 0; i < kept; ++i)
-      m_impl->add(*sums[i], batch.z[i], static_cast<std::uint32_t>(batch.weight[i]));
+    m_impl->add(cache, batch, count, result);
   }
   result.inserted = scan.points - result.notFinite - result.outside;
   return result;
@@ -71,9 +54,10 @@ void TerrainMap::insertPoint(double x, double y, double z, double sigma)
                   "a standard deviation >= 0 m");
   if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z)) return;
   const PointModel::Place place = PointModel::placeOf(x, y, z, m_impl->resolution);
-  TileCache cache(m_impl->tiles);
-  m_impl->add(m_impl->sumsToChange(cache, place.kx, place.ky), place.z,
-              PointModel::weightOf(sigma * sigma));
+  CellSums& sums = m_impl->sumsToChange(
+      m_impl->tiles.get(place.kx >> kTileBits, place.ky >> kTileBits), place.kx, place.ky);
+  m_impl->cells += sums.points == 0;
+  sums.add(place.z, PointModel::weightOf(sigma * sigma));
 }
 
 void TerrainMap::update(int threads) { m_impl->follow(threads); }

@@ -22,7 +22,7 @@ PlaneSearch searchFor(const TerrainParams& params, double resolution)
   search.window = std::max(2, static_cast<std::int32_t>(window));
   search.hypotheses = params.hypotheses;
   search.blockCells = params.blockCells;
-  search.minCells = params.minPlaneCells;
+  search.minCells = params.leastPlaneCells(resolution);
   return search;
 }
 }  // namespace
@@ -34,6 +34,36 @@ TerrainMap::Impl::Impl(double l, const TerrainParams& p) : resolution(l), params
   search = searchFor(params, resolution);
 }
 
+/** Adds points to their cells: first all cells are found, so that they are on their way from memory
+ * when their turn comes. */
+void TerrainMap::Impl::add(TileCache& cache, PointModel::Batch& batch, std::size_t count,
+                           InsertedPoints& result)
+{
+  std::array<CellSums*, PointModel::kBatch> sums;
+  std::size_t kept = 0;
+  for (std::size_t i = 0; i < count; ++i)
+  {
+    const std::int32_t kx = batch.kx[i], ky = batch.ky[i];
+    const bool isFinite = batch.weight[i] != 0;
+    if (!isFinite || (window && !window->holds(kx, ky)))
+    {
+      ++(isFinite ? result.outside : result.notFinite);
+      continue;
+    }
+    sums[kept] = &sumsToChange(cache.at(kx >> kTileBits, ky >> kTileBits), kx, ky);
+    __builtin_prefetch(sums[kept], 1);
+    batch.z[kept] = batch.z[i];
+    batch.weight[kept++] = batch.weight[i];
+  }
+  std::size_t fresh = 0;
+  for (std::size_t i = 0; i < kept; ++i)
+  {
+    fresh += sums[i]->points == 0 ? 1 : 0;
+    sums[i]->add(batch.z[i], static_cast<std::uint32_t>(batch.weight[i]));
+  }
+  cells += fresh;
+}
+
 /** Takes the changed cells of a row into account. \return those that have no plane */
 RowBits TerrainMap::Impl::takeRow(Tile& tile, std::int32_t iy)
 {
@@ -43,19 +73,9 @@ RowBits TerrainMap::Impl::takeRow(Tile& tile, std::int32_t iy)
              {
                const CellRef cell{&tile, ix, iy};
                const CellSums& sums = tile.sums[cell.index()];
-               std::int32_t& height = tile.height[cell.index()];
-               const std::int32_t now =
-                   params.heightRule == HeightRule::Fused ? sums.fusedZ() : sums.highestZ();
-               const std::int32_t id = tile.plane[cell.index()];
-               if (id == kNoPlane || now == height)
-               {
-                 height = now;
-                 return;
-               }
-               planes.release(cell);
-               height = now;
-               if (planes.distance(cell, id) > search.tolerance) return;
-               planes.assign(cell, id);
+               planes.setHeight(
+                   cell, params.heightRule == HeightRule::Fused ? sums.fusedZ() : sums.highestZ(),
+                   search.tolerance);
              });
   tile.known[y] |= tile.changed[y];
   return tile.changed[y] & ~tile.assigned[y];

@@ -7,6 +7,7 @@
 
 #include "LeafTree.h"
 #include "PlaneSet.h"
+#include "PointBatch.h"
 #include "SeedPlane.h"
 #include "TileMap.h"
 
@@ -50,19 +51,14 @@ class TerrainMap::Impl
   Impl(double l, const TerrainParams& p);
 
   /** The sums of a cell that gets a point. */
-  CellSums& sumsToChange(TileCache& cache, std::int32_t kx, std::int32_t ky)
+  static CellSums& sumsToChange(Tile& tile, std::int32_t kx, std::int32_t ky)
   {
-    Tile& tile = cache.at(kx >> kTileBits, ky >> kTileBits);
     const std::int32_t ix = kx & kTileMask, iy = ky & kTileMask;
     tile.changed[static_cast<std::size_t>(iy)] |= RowBits{1} << ix;
     tile.hasChanged = true;
     return tile.sums[Tile::indexOf(ix, iy)];
   }
-  void add(CellSums& sums, std::int32_t z, std::uint32_t weight)
-  {
-    cells += sums.points == 0;
-    sums.add(z, weight);
-  }
+  void add(TileCache& cache, PointModel::Batch& batch, std::size_t count, InsertedPoints& result);
   void moveWindow(double x, double y);
   void follow(int threads);
   void forgetPlanes();

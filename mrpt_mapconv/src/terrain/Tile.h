@@ -2,9 +2,11 @@
 
 #include <mrpt_mapconv/terrain/PlaneFit.h>
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace mrpt_mapconv::terrain
@@ -28,20 +30,20 @@ struct CellSums
 {
   std::int64_t weightedHeight = 0;  //!< Σ w·z [kHeightUnit / kWeightUnit]
   std::uint64_t weight = 0;         //!< Σ w [1 / kWeightUnit]
-  std::int64_t highest = 0;         //!< z·2³² + w of the highest point, of those the surest
+  /** z·2³² + w of the highest point, of those the surest. */
+  std::int64_t highest = std::numeric_limits<std::int64_t>::min();
   std::uint32_t points = 0;
 
   /** Sums so large that they might overflow take no more points: what they mean is then known far
    * better than any sensor knows it. */
   void add(std::int32_t z, std::uint32_t w)
   {
-    constexpr std::int64_t kFull = std::int64_t{1} << 61;
-    if (weightedHeight > kFull || weightedHeight < -kFull) return;
-    weightedHeight += static_cast<std::int64_t>(w) * z;
+    constexpr std::uint64_t kFull = std::uint64_t{1} << 61;
+    if (static_cast<std::uint64_t>(weightedHeight) + kFull > 2 * kFull) return;
+    weightedHeight += std::int64_t{w} * z;
     weight += w;
-    const auto key = static_cast<std::int64_t>(
-        (static_cast<std::uint64_t>(static_cast<std::uint32_t>(z)) << 32) | w);
-    if (points == 0 || key > highest) highest = key;
+    const auto bits = static_cast<std::uint64_t>(static_cast<std::uint32_t>(z)) << 32 | w;
+    highest = std::max(highest, static_cast<std::int64_t>(bits));
     ++points;
   }
   std::int32_t highestZ() const { return static_cast<std::int32_t>(highest >> 32); }
