@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <tuple>
 #include <unordered_map>
 
 #include "../grid/Parallel.h"
@@ -33,18 +32,6 @@ double differenceOver(const PlaneMoments& cells, const Plane& a, const Plane& b)
   const double sx = a.slopeX - b.slopeX, sy = a.slopeY - b.slopeY;
   const double middle = dz + sx * cells.meanX() + sy * cells.meanY();
   return std::abs(middle) + std::abs(sx) * cells.halfWidthX() + std::abs(sy) * cells.halfWidthY();
-}
-
-/** Row by row; of the same tile those with a moved plane count. */
-void sortUnique(std::vector<PlaneBorders::Unsettled>& parts)
-{
-  const auto place = [](const PlaneBorders::Unsettled& p)
-  { return std::make_tuple(p.tile->ty, p.tile->tx, !p.hasMovedPlane); };
-  std::sort(parts.begin(), parts.end(),
-            [&](const auto& a, const auto& b) { return place(a) < place(b); });
-  parts.erase(std::unique(parts.begin(), parts.end(),
-                          [](const auto& a, const auto& b) { return a.tile == b.tile; }),
-              parts.end());
 }
 
 /** Two planes, the lower number first. */
@@ -287,22 +274,27 @@ bool PlaneBorders::hasMoved(const PlaneState& state) const
 
 std::vector<PlaneBorders::Unsettled> PlaneBorders::takeUnsettled(int threads)
 {
-  std::vector<Unsettled> parts;
   for (Tile* tile : m_tiles.sorted())
   {
     if (!tile->isUnsettled) continue;
     tile->isUnsettled = false;
     for (Tile* near : tile->around)
-      if (near) parts.push_back({near});
+      if (near) near->isNearUnsettled = true;
   }
   for (std::int32_t id = 0; id < m_planes.end(); ++id)
   {
     PlaneState& state = m_planes.at(id);
     if (!state.isAlive || state.moments.cells() == 0 || !hasMoved(state)) continue;
     state.settled = state.plane;
-    for (Tile* tile : tilesOf(id)) parts.push_back({tile, true});
+    for (Tile* tile : tilesOf(id)) tile->hasMovedPlane = true;
   }
-  sortUnique(parts);
+  std::vector<Unsettled> parts;
+  for (Tile* tile : m_tiles.sorted())
+  {
+    if (!tile->isNearUnsettled && !tile->hasMovedPlane) continue;
+    parts.push_back({tile, tile->hasMovedPlane});
+    tile->isNearUnsettled = tile->hasMovedPlane = false;
+  }
   grid::inParallel(parts.size(), threads,
                    [&](std::size_t begin, std::size_t end)
                    {

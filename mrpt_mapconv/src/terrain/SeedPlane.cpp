@@ -140,7 +140,6 @@ std::size_t SeedPlane::makeHypotheses(const CellRef& seed)
 /** Moves the best to the front, in their order. */
 std::size_t SeedPlane::keepBest(std::size_t hypotheses, std::size_t kept)
 {
-  if (hypotheses <= kept) return hypotheses;
   std::array<std::int32_t, kMostHypotheses> better;
   countBetter(m_score.data(), hypotheses, better.data());
   std::size_t count = 0;
@@ -157,7 +156,6 @@ std::size_t SeedPlane::keepBest(std::size_t hypotheses, std::size_t kept)
 /** Moves the winner to the front. */
 void SeedPlane::findWinner(const CellRef& seed, std::size_t hypotheses)
 {
-  auto allowed = static_cast<std::size_t>(m_search.hypotheses);
   while (hypotheses > 1)
   {
     auto left = static_cast<std::size_t>(m_search.blockCells);
@@ -170,8 +168,7 @@ void SeedPlane::findWinner(const CellRef& seed, std::size_t hypotheses)
                 static_cast<float>(m_search.tolerance));
       left -= part;
     }
-    allowed = std::max<std::size_t>(1, allowed / 2);
-    hypotheses = keepBest(hypotheses, allowed);
+    hypotheses = keepBest(hypotheses, hypotheses / 2);
   }
 }
 

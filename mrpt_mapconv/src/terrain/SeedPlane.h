@@ -32,9 +32,9 @@ inline bool isAllowed(const Plane& plane, const PlaneSearch& search)
  * The window is the square of cells around the seed. Cells are drawn from it at random, again and
  * again; those that belong to a plane already, or are not known, are passed over. Of 2 K draws each
  * two that remain make a hypothesis, the plane through the seed and them, unless the three lie on
- * one line or the plane is too steep. Hypotheses are scored, Σ max(0, d − |vertical difference|),
- * on blocks of B more draws; after i draws max(1, ⌊K·2^(−⌊i/B⌋)⌋) remain, of equally good ones the
- * first. All that is random follows from the seed's key. */
+ * one line or the plane is too steep. The k ≤ K hypotheses are scored, Σ max(0, d − |vertical
+ * difference|), on blocks of B more draws; after i draws max(1, ⌊k·2^(−⌊i/B⌋)⌋) remain, of equally
+ * good ones the first. All that is random follows from the seed's key. */
 class SeedPlane
 {
  public:

@@ -16,10 +16,11 @@ class SmallFlood
   {
   }
 
-  /** False if fewer than minCells cells without a plane are connected with the seed. */
+  /** False if fewer than minCells cells without a plane are connected with the seed. True is not
+   * made sure of where all around it have none. */
   bool hasRoom(const CellRef& seed)
   {
-    return isLarge(seed, [](const CellRef&) { return true; });
+    return isAmongFree(seed) || isLarge(seed, [](const CellRef&) { return true; });
   }
   /** False if fewer of them are near the plane, too. */
   bool mayBePlane(const CellRef& seed, const Plane& plane);
@@ -32,6 +33,7 @@ class SmallFlood
     std::int32_t x, y;
   };
 
+  static bool isAmongFree(const CellRef& seed);
   void start();
   bool visit(const Offset& at);
   template <class Open>

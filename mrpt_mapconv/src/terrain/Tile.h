@@ -82,6 +82,14 @@ struct Tile
   Tile() { plane.fill(kNoPlane); }
 
   std::int32_t tx = 0, ty = 0;  //!< key of the tile: that of a cell >> kTileBits
+  bool hasChanged = false;      //!< bits of `changed`
+  bool isStale = true;          //!< `planes` and `leaves` have yet to follow
+  bool isUnsettled = false;     //!< cells were assigned or released, borders have yet to follow
+  bool isNearUnsettled = false, hasMovedPlane = false;  //!< while borders follow
+  // of the flood that was here last
+  std::uint64_t floodNumber = 0;
+  std::uint32_t floodIndex = 0;
+
   /** West to east, south to north, this one in the middle; null: no cell is known there. */
   std::array<Tile*, 9> around{};
 
@@ -94,13 +102,6 @@ struct Tile
 
   std::vector<TilePlane> planes;  //!< that have cells here
   std::vector<TileLeaf> leaves;   //!< by their codes
-  bool hasChanged = false;        //!< bits of `changed`
-  bool isStale = true;            //!< `planes` and `leaves` have yet to follow
-  bool isUnsettled = false;       //!< cells were assigned or released, borders have yet to follow
-
-  // of the flood that was here last
-  std::uint64_t floodNumber = 0;
-  std::uint32_t floodIndex = 0;
 
   std::int32_t keyX(std::int32_t ix) const { return tx * kTileSide + ix; }
   std::int32_t keyY(std::int32_t iy) const { return ty * kTileSide + iy; }
