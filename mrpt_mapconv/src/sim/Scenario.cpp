@@ -91,6 +91,8 @@ NoiseParams readNoise(const CConfigFileMemory& ini)
   section.read("odometryDrift", noise.odometryDrift);
   readAtLeast(section, "posePosition", 0, noise.posePosition);
   readAtLeast(section, "poseAngle", 0, noise.poseAngle);
+  readAtLeast(section, "poseHeight", 0, noise.poseHeight);
+  readAtLeast(section, "poseTilt", 0, noise.poseTilt);
   section.refuseUnknown("the noise");
   return noise;
 }

@@ -76,11 +76,14 @@ CSensoryFrame frameOf(const Moment& moment)
 mrpt::poses::CPose3DPDFGaussian estimateOf(const Moment& moment, const NoiseParams& noise)
 {
   // MRPT inverts covariances: even a perfect estimate has to have one.
-  const double position = std::max(noise.posePosition, 1e-3);
-  const double angle = mrpt::DEG2RAD(std::max(noise.poseAngle, 0.01));
+  const auto metres = [](double sigma) { return std::max(sigma, 1e-3); };
+  const auto angle = [](double degrees) { return mrpt::DEG2RAD(std::max(degrees, 0.01)); };
+  const double xy = metres(noise.posePosition), tilt = angle(noise.posePitchRoll());
+  const double sigmas[] = {xy,   xy,  metres(noise.poseZ()), angle(noise.poseAngle),
+                           tilt, tilt};  // yaw, pitch, roll
   mrpt::poses::CPose3DPDFGaussian estimate(moment.estimatedPose);
   estimate.cov.setZero();
-  for (int i = 0; i < 6; ++i) estimate.cov(i, i) = mrpt::square(i < 3 ? position : angle);
+  for (int i = 0; i < 6; ++i) estimate.cov(i, i) = mrpt::square(sigmas[i]);
   return estimate;
 }
 

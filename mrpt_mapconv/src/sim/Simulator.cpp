@@ -83,12 +83,20 @@ void Simulator::moveOdometry(const CPose2D& truth)
 
 CPose3D Simulator::estimateOf(const CPose3D& pose) const
 {
+  const NoiseParams& noise = m_scenario.noise;
   Random random(randomKey(m_seed, "pose", m_moments));
-  const auto shift = [&] { return m_scenario.noise.posePosition * random.normal(); };
-  const auto turn = [&] { return mrpt::DEG2RAD(m_scenario.noise.poseAngle * random.normal()); };
-  const double x = pose.x() + shift(), y = pose.y() + shift(), z = pose.z() + shift();
-  const double yaw = pose.yaw() + turn(), pitch = pose.pitch() + turn(),
-               roll = pose.roll() + turn();
+  const auto shift = [&](double metres) { return metres * random.normal(); };
+  const auto turn = [&](double degrees) { return mrpt::DEG2RAD(degrees * random.normal()); };
+  const double x = pose.x() + shift(noise.posePosition);
+  const double y = pose.y() + shift(noise.posePosition);
+  double z = pose.z() + shift(noise.posePosition);
+  const double yaw = pose.yaw() + turn(noise.poseAngle);
+  double pitch = pose.pitch() + turn(noise.poseAngle);
+  double roll = pose.roll() + turn(noise.poseAngle);
+  // last, so that what else is random is the same with and without
+  z += shift(noise.poseHeight);
+  pitch += turn(noise.poseTilt);
+  roll += turn(noise.poseTilt);
   return {x, y, z, yaw, pitch, roll};
 }
 

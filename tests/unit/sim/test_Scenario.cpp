@@ -18,6 +18,8 @@ odometryYawPerTurn = 2
 odometryDrift = -0.1
 posePosition = 0.01
 poseAngle = 0.2
+poseHeight = 0.003
+poseTilt = 0.05
 [log]
 poses = true
 keyFrameEvery = 3
@@ -40,6 +42,8 @@ maxStep = 0.05
   EXPECT_EQ(s.noise.odometryDrift, -0.1);
   EXPECT_EQ(s.noise.posePosition, 0.01);
   EXPECT_EQ(s.noise.poseAngle, 0.2);
+  EXPECT_EQ(s.noise.poseHeight, 0.003);
+  EXPECT_EQ(s.noise.poseTilt, 0.05);
   EXPECT_TRUE(s.log.poses);
   EXPECT_EQ(s.log.keyFrameEvery, 3);
   EXPECT_EQ(s.truthResolution, 0.25);
@@ -108,6 +112,8 @@ TEST(Scenario, NamesWhatIsWrong)
       {good + "[noise]\nodometryPerMetre = -0.1\n",
        "section 'noise': odometryPerMetre = '-0.1' "
        "is not valid: it must be a number >= 0"},
+      {good + "[noise]\nposeHeight = -1\n", "section 'noise': poseHeight = '-1'"},
+      {good + "[noise]\nposeTilt = -1\n", "section 'noise': poseTilt = '-1'"},
       {good + "[noise]\ndrift = 1\n", "section 'noise': 'drift' is not a key"},
       {good + "[log]\nkeyFrameEvery = 0\n", "section 'log': keyFrameEvery = '0'"},
       {good + "[log]\nposes = maybe\n", "section 'log': poses = 'maybe'"},

@@ -7,6 +7,7 @@
 #include <mrpt/obs/CObservationOdometry.h>
 #include <mrpt/obs/CObservationRobotPose.h>
 #include <mrpt/obs/CSensoryFrame.h>
+#include <mrpt/poses/CPose3DPDFGaussian.h>
 #include <mrpt/serialization/CSerializable.h>
 #include <mrpt_mapconv/files/ObjectFile.h>
 #include <mrpt_mapconv/grid/GeoTiff.h>
@@ -167,6 +168,53 @@ TEST(SimulationFiles, ActionsAreAsUncertainAsTheOdometry)
   EXPECT_NEAR(std::sqrt(covariances[50](0, 0)), 0.001, 1e-5);
   EXPECT_NEAR(std::sqrt(covariances[50](2, 2)), mrpt::DEG2RAD(0.02), 1e-6);
   EXPECT_LT((sum.asTPose() - mrpt::math::TPose2D(2, 2, M_PI / 2)).norm(), 0.3);
+}
+
+/** Standard deviations of x, y, z [mm], yaw, pitch, roll [0.01°]. */
+std::vector<double> sigmasOf(const mrpt::math::CMatrixDouble66& covariance)
+{
+  std::vector<double> sigmas;
+  for (int i = 0; i < 6; ++i)
+  {
+    const double sigma = std::sqrt(covariance(i, i));
+    sigmas.push_back(i < 3 ? 1e3 * sigma : 100 * mrpt::RAD2DEG(sigma));
+  }
+  return sigmas;
+}
+
+/** Asserts that the poses of both files are that uncertain: x, y, z [mm], yaw, pitch, roll [0.01°].
+ */
+void expectSigmas(const std::string& noise, const std::vector<double>& expected)
+{
+  const TempDir dir;
+  simulate(kRoom + kLidar + kDrive + "[log]\nposes = true\n[noise]\n" + noise, 1, dir);
+  ObjectFile log(dir.path("scans.rawlog")), simpleMap(dir.path("scans.simplemap"));
+  std::size_t poses = 0;
+  const auto check = [&](const mrpt::math::CMatrixDouble66& covariance)
+  {
+    ++poses;
+    const auto sigmas = sigmasOf(covariance);
+    for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(sigmas[i], expected[i], 1e-6) << noise << i;
+    for (int i = 0; i < 6; ++i)
+      for (int j = 0; j < i; ++j) EXPECT_EQ(covariance(i, j), 0);
+  };
+  while (const auto object = log.next())
+    if (const auto pose = std::dynamic_pointer_cast<mrpt::obs::CObservationRobotPose>(object))
+      check(pose->pose.cov);
+  const auto map = std::dynamic_pointer_cast<mrpt::maps::CSimpleMap>(simpleMap.next());
+  ASSERT_TRUE(map);
+  for (const auto& frame : *map)
+    check(dynamic_cast<const mrpt::poses::CPose3DPDFGaussian&>(*frame.pose).cov);
+  EXPECT_EQ(poses, 42u);
+}
+
+TEST(SimulationFiles, PosesAreAsUncertainAsTheirNoise)
+{
+  expectSigmas("posePosition = 0.01\nposeAngle = 0.2\n", {10, 10, 10, 20, 20, 20});
+  expectSigmas("poseHeight = 0.002\nposeTilt = 0.05\n", {1, 1, 2, 1, 5, 5});
+  expectSigmas("posePosition = 0.003\nposeHeight = 0.004\nposeAngle = 0.05\nposeTilt = 0.12\n",
+               {3, 3, 5, 5, 13, 13});
+  expectSigmas("", {1, 1, 1, 1, 1, 1});
 }
 
 // MRPT reads it, and would have written the same.

@@ -132,6 +132,44 @@ TEST(Simulator, PoseEstimatesHaveTheStatedSpread)
   expectNormal(angle, 0.7, "angle, seed 3");
 }
 
+TEST(Simulator, PoseEstimatesMayBeWrongInHeightAndTiltOnly)
+{
+  const auto scenario =
+      load(kRoom + tinyScanner("100") + kDrive + "[noise]\nposeHeight = 0.002\nposeTilt = 0.05\n");
+  std::vector<double> height, tilt;
+  for (const auto& m : all(scenario, 3))
+  {
+    for (const int exact : {0, 1, 3}) ASSERT_EQ(m.estimatedPose[exact], m.pose[exact]);
+    height.push_back(m.estimatedPose.z() - m.pose.z());
+    for (const int angle : {4, 5})
+      tilt.push_back(mrpt::RAD2DEG(m.estimatedPose[angle] - m.pose[angle]));
+  }
+  ASSERT_EQ(height.size(), 1001u);
+  expectNormal(height, 0.002, "z, seed 3");
+  expectNormal(tilt, 0.05, "pitch and roll, seed 3");
+}
+
+TEST(Simulator, NoiseOfHeightAndTiltIsAddedToThatOfAllCoordinates)
+{
+  const std::string both =
+      kRoom + tinyScanner("1") + kDrive + "[noise]\nposePosition = 0.05\nposeAngle = 0.7\n";
+  const auto without = all(load(both), 3);
+  const auto with = all(load(both + "poseHeight = 0.002\nposeTilt = 0.05\n"), 3);
+  ASSERT_EQ(with.size(), without.size());
+  for (std::size_t i = 0; i < with.size(); ++i)
+  {
+    const auto &a = without[i].estimatedPose, &b = with[i].estimatedPose;
+    for (const int same : {0, 1, 3}) EXPECT_EQ(a[same], b[same]);
+    EXPECT_NE(a.z(), b.z());
+    EXPECT_NEAR(a.z(), b.z(), 6 * 0.002);
+    for (const int angle : {4, 5})
+    {
+      EXPECT_NE(a[angle], b[angle]);
+      EXPECT_NEAR(a[angle], b[angle], 6 * mrpt::DEG2RAD(0.05));
+    }
+  }
+}
+
 // What one sensor draws does not depend on which others there are.
 TEST(Simulator, SensorsDoNotDisturbEachOther)
 {

@@ -5,6 +5,7 @@
 #include <mrpt_mapconv/sim/Truth.h>
 #include <mrpt_mapconv/sim/World.h>
 
+#include <cmath>
 #include <memory>
 #include <string>
 #include <vector>
@@ -20,6 +21,13 @@ struct NoiseParams
   double odometryDrift = 0;        //!< systematic turn to the left [degrees per metre]
   double posePosition = 0;         //!< standard deviation of a pose estimate's x, y, z [m]
   double poseAngle = 0;            //!< likewise of its yaw, pitch and roll [degrees]
+  double poseHeight = 0;           //!< of its z alone, beside posePosition [m]
+  double poseTilt = 0;             //!< of its pitch and roll alone, beside poseAngle [degrees]
+
+  /** Standard deviation of all that an estimate's z is wrong by [m]. */
+  double poseZ() const { return std::hypot(posePosition, poseHeight); }
+  /** Likewise of its pitch, and of its roll [degrees]. */
+  double posePitchRoll() const { return std::hypot(poseAngle, poseTilt); }
 };
 
 /** Section [log]: what is written. */
