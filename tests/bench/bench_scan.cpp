@@ -77,8 +77,9 @@ std::vector<Scan> officeScans(int count)
 std::vector<Scan> velodyneScans(const std::string& file)
 {
   std::vector<Scan> scans;
-  for (const auto& [observation, pose] : observation::readRawlog(file, {true}))
-    if (observation::is3DScan(*observation)) scans.push_back(scanOf(*observation, pose));
+  for (const auto& posed : observation::readRawlog(file, {true}))
+    if (observation::is3DScan(*posed.observation))
+      scans.push_back(scanOf(*posed.observation, posed.robotPose));
   return scans;
 }
 

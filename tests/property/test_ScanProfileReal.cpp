@@ -47,11 +47,11 @@ TEST(ScanProfile, AgreesWithTheOracleOnRealScans)
 {
   const std::string log = std::string(MRPT_MAPCONV_SHARED_DIR) + "/vlp16_3scans.rawlog";
   if (!std::filesystem::exists(log)) GTEST_SKIP() << "there is no " << log;
-  for (const auto& [observation, pose] : observation::readRawlog(log, {true}))
+  for (const auto& posed : observation::readRawlog(log, {true}))
     for (const bool filter : {true, false})
     {
       RandomScan scan = roomScan();
-      const auto seen = observation::sensorPoints(*observation, pose);
+      const auto seen = observation::sensorPoints(*posed.observation, posed.robotPose);
       ASSERT_TRUE(seen);
       scan.points = seen->points;
       scan.view.sensorPose = seen->sensorPose;

@@ -5,7 +5,6 @@
 #include <mrpt_mapconv/grid/KnownFrame.h>
 #include <mrpt_mapconv/grid/LayerExport.h>
 #include <mrpt_mapconv/grid/OccupancyCell.h>
-#include <mrpt_mapconv/params/Require.h>
 #include <mrpt_mapconv/params/Text.h>
 #include <mrpt_mapconv/scan/ProfileSummary.h>
 
@@ -16,6 +15,7 @@
 #include <stdexcept>
 
 #include "command/Command.h"
+#include "input/EachScan.h"
 #include "input/InputFile.h"
 #include "input/InputOptions.h"
 #include "input/ScanFile.h"
@@ -68,29 +68,6 @@ Result resultOf(const ScanInserter& inserter, const std::string& file)
     throw std::runtime_error(file + ": none of its scans says anything (" +
                              skippedText(inserter.figures()) + ")");
   return {occupancy.onFrame(frame, grid::kUnknown), inserter.map().probability().onFrame(frame, 0)};
-}
-
-void insertAll(const std::vector<observation::PosedObservation>& scans, const std::string& file,
-               ScanInserter& inserter, Progress& progress)
-{
-  std::size_t count = 0;
-  for (const auto& scan : scans)
-  {
-    progress.done(static_cast<double>(count++) / static_cast<double>(scans.size()));
-    try
-    {
-      inserter.insert(scan);
-    }
-    catch (const std::invalid_argument&)
-    {
-      throw;  // it is about the options
-    }
-    catch (const std::exception& error)
-    {
-      throw std::runtime_error(file + ": scan " + std::to_string(count) + " of " +
-                               std::to_string(scans.size()) + ": " + params::oneLine(error));
-    }
-  }
 }
 
 void warnOfSkips(const InsertionFigures& figures)
@@ -203,7 +180,11 @@ int insert(const InsertOptions& options)
   ScanInserter inserter(settings);
   const std::string name = shownName(options.file);
   job.stage("insert", "inserting the scans of " + name,
-            [&] { insertAll(file.scans, name, inserter, job.progress()); });
+            [&]
+            {
+              forEachScan(file.scans, name, job.progress(),
+                          [&](const auto& scan) { inserter.insert(scan); });
+            });
   warnOf2D(inserter.figures());
   refuseCeilings(inserter.figures(), name);
   const Result map = resultOf(inserter, name);

@@ -3,6 +3,7 @@
 #include <mrpt_mapconv/maps/GridInsertionOptions.h>
 #include <mrpt_mapconv/scan/ScanGridParams.h>
 #include <mrpt_mapconv/scan/ScanInsertionOptions.h>
+#include <mrpt_mapconv/terrain/TerrainOptions.h>
 #include <mrpt_mapconv/voxel/VoxelInsertionOptions.h>
 #include <mrpt_mapconv/voxel/VoxelMapParams.h>
 
@@ -64,8 +65,14 @@ std::string parametersText()
   text += tableOf<scan::TScanInsertionOptions>("`_insertOpts`; `[scanInsertion]`", "insert");
   text += tableOf<mrpt::maps::COccupancyGridMap2D::TInsertionOptions>(
       "`_insertOpts`; `[scanInsertion]`: COccupancyGridMap2D's own, for 2D scans", "");
+  text += "\n## terrainGrid and `mapconv terrain`\n";
+  text += tableOf<terrain::TerrainGridParams>("`_creationOpts`; `[map]`", "terrain");
   text +=
-      "\n`_likelihoodOpts` of both are those of COccupancyGridMap2D. `_creationOpts` also have the "
+      tableOf<terrain::TTerrainInsertionOptions>("`_insertOpts`; `[terrainInsertion]`", "terrain");
+  text += tableOf<terrain::TTerrainOptions>("`_terrainOpts`; `[terrain]`", "terrain");
+  text += tableOf<terrain::TTerrainSceneOptions>("`_renderOpts`", "");
+  text +=
+      "\n`_likelihoodOpts` of all are those of COccupancyGridMap2D. `_creationOpts` also have the "
       "flags of all of MRPT's maps:\n`enableSaveAs3DObject`, `enableObservationLikelihood`, "
       "`enableObservationInsertion`. Flags beside those in the tables:\n`--resolution` of "
       "`convert` "

@@ -75,6 +75,13 @@ void addPoseOptions(CLI::App& app, observation::RawlogOptions& options)
       ->type_name("S");
 }
 
+void addThreadsOption(CLI::App& app, int& threads)
+{
+  app.add_option("--threads", threads, "number of threads, default 0 = all cores")
+      ->check(CLI::Range(0, 1024).description(""))
+      ->type_name("N");
+}
+
 void addInputOptions(CLI::App& app, InputOptions& options)
 {
   app.add_option("INPUT", options.input.file,
@@ -93,9 +100,7 @@ void addInputOptions(CLI::App& app, InputOptions& options)
       ->check(isPositive())
       ->type_name("M");
   addPoseOptions(app, options.input.log);
-  app.add_option("--threads", options.threads, "number of threads, default 0 = all cores")
-      ->check(CLI::Range(0, 1024).description(""))
-      ->type_name("N");
+  addThreadsOption(app, options.threads);
 }
 
 }  // namespace mapconv

@@ -24,6 +24,9 @@ void addOutputOptions(CLI::App& app, std::string& dir, bool& json);
 /** The options for where the poses of a rawlog come from. */
 void addPoseOptions(CLI::App& app, mrpt_mapconv::observation::RawlogOptions& options);
 
+/** The option for the number of threads. */
+void addThreadsOption(CLI::App& app, int& threads);
+
 /** Accepts finite numbers from 0 on. */
 CLI::Validator isNotNegative();
 

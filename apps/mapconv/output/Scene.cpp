@@ -1,7 +1,6 @@
 #include "output/Scene.h"
 
 #include <mrpt/opengl/CGridPlaneXY.h>
-#include <mrpt/opengl/COpenGLScene.h>
 #include <mrpt_mapconv/files/ObjectWriter.h>
 #include <mrpt_mapconv/freespace/DropEdges.h>
 #include <mrpt_mapconv/freespace/FreeSpaceScene.h>
@@ -56,15 +55,22 @@ mrpt::opengl::COpenGLScene sceneOf(const Layers& layers, const freespace::Conver
   freespace::drawGround(layers, {}, ground, *objects);
   grid::drawOccupancy(layers.ground, below, false, *objects);
 
-  mrpt::opengl::COpenGLScene scene;
-  scene.insert(referenceGrid(layers.frame(), below - layers.frame().resolution));
-  scene.insert(objects);
-  setCamera(scene, layers.frame(), below);
+  auto scene = sceneWith(objects, layers.frame(), below);
   grid::drawLegend(ground, *scene.getViewport());
   return scene;
 }
 
 }  // namespace
+
+mrpt::opengl::COpenGLScene sceneWith(const mrpt::opengl::CSetOfObjects::Ptr& objects,
+                                     const GridFrame& frame, double z)
+{
+  mrpt::opengl::COpenGLScene scene;
+  scene.insert(referenceGrid(frame, z - frame.resolution));
+  scene.insert(objects);
+  setCamera(scene, frame, z);
+  return scene;
+}
 
 void writeScene(const std::string& path, const Layers& layers,
                 const freespace::ConversionParams& params)

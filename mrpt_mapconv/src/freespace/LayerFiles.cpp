@@ -50,10 +50,7 @@ void takeFloorForGround(Layers& layers)
 
 grid::Metadata metadataOf(const freespace::ConversionParams& params)
 {
-  grid::Metadata items;
-  params::forEachText(
-      params, [&items](const char* name, const std::string& text) { items.emplace(name, text); });
-  return items;
+  return grid::metadataOf(params);
 }
 
 void writeLayersTiff(const std::string& path, const freespace::Layers& layers,

@@ -38,6 +38,18 @@ GridFrame unshifted(GridFrame frame)
   return frame;
 }
 
+/** Each cell as 2 x 2 of half its size, which begin on multiples of that. */
+Layer<float> halved(const Layer<float>& layer)
+{
+  const GridFrame& from = layer.frame();
+  const GridFrame to{from.resolution / 2, 2 * from.x0 - 1, 2 * from.y0 - 1, 2 * from.width,
+                     2 * from.height};
+  Layer<float> out(to, kUnknown);
+  for (std::int32_t y = 0; y < to.height; ++y)
+    for (std::int32_t x = 0; x < to.width; ++x) out.at(x, y) = layer.at(x / 2, y / 2);
+  return out;
+}
+
 }  // namespace
 
 void checkGridMapFrame(const GridFrame& shifted)
@@ -69,8 +81,7 @@ void checkGridMapFrame(const GridFrame& shifted)
 
 void copyToGridMap(const Layer<float>& occupancy, COccupancyGridMap2D& map)
 {
-  if (occupancy.frame().empty())
-    throw std::invalid_argument("grid map: the layer has no cells");
+  if (occupancy.frame().empty()) throw std::invalid_argument("grid map: the layer has no cells");
   const GridFrame frame = unshifted(occupancy.frame());
   checkGridMapFrame(frame);
   map.setSize(static_cast<float>(frame.xMin()), static_cast<float>(frame.xMax()),
@@ -93,7 +104,7 @@ void copyToGridMap(const Layer<float>& occupancy, COccupancyGridMap2D& map)
 void writeGridMap(const std::string& path, const Layer<float>& occupancy)
 {
   COccupancyGridMap2D map;
-  copyToGridMap(occupancy, map);
+  copyToGridMap(occupancy.frame().shift == 0 ? occupancy : halved(occupancy), map);
   files::writeObject(path, map);
 }
 

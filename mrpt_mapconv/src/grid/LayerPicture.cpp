@@ -4,6 +4,7 @@
 #include <mrpt_mapconv/grid/OccupancyCell.h>
 
 #include <algorithm>
+#include <cmath>
 #include <fstream>
 #include <stdexcept>
 
@@ -11,6 +12,7 @@
 #include "PictureAxes.h"
 #include "PictureLegend.h"
 #include "PictureRaster.h"
+#include "PlanePicture.h"
 
 namespace mrpt_mapconv::grid
 {
@@ -94,6 +96,12 @@ Content evidenceContent(const Layer<float>& layer, const Zoom& zoom, const Metri
   return content;
 }
 
+Content planeContent(const StyledLayer& styled, const Zoom& zoom, const Metrics& metrics)
+{
+  PlanePicture picture = drawPlanes(styled, zoom, metrics);
+  return {std::move(picture.raster), std::move(picture.legend), picture.noData};
+}
+
 Content contentOf(const StyledLayer& styled, const Zoom& zoom, const Metrics& metrics)
 {
   switch (styled.kind)
@@ -104,6 +112,8 @@ Content contentOf(const StyledLayer& styled, const Zoom& zoom, const Metrics& me
       return occupancyContent(styled, zoom, metrics);
     case LayerKind::Evidence:
       return evidenceContent(*styled.layer, zoom, metrics);
+    case LayerKind::Plane:
+      return planeContent(styled, zoom, metrics);
     case LayerKind::Height:
       break;
   }
@@ -169,14 +179,15 @@ void checkLayers(const StyledLayer& styled)
 {
   if (!styled.layer || styled.layer->frame().empty())
     throw std::invalid_argument("picture: the layer has no cells");
-  for (const auto* beside : {styled.freeFor, styled.evidence, styled.drops})
+  for (const auto* beside :
+       {styled.freeFor, styled.evidence, styled.drops, styled.shade, styled.squares})
     if (beside && beside->frame() != styled.layer->frame())
       throw std::invalid_argument(
           "picture: the aerial layer, or one that goes with it, is on another frame than the "
           "layer");
 }
 
-/** Part of a layer, and of the one that it is free for. */
+/** Part of a layer, and of those that go with it. */
 class Part
 {
  public:
@@ -184,6 +195,8 @@ class Part
       : m_styled(whole), m_layer(whole.layer->onFrame(frame, unknownCell(whole.kind)))
   {
     m_styled.layer = &m_layer;
+    if (whole.shade) m_styled.shade = &(m_shade = whole.shade->onFrame(frame, NAN));
+    if (whole.squares) m_styled.squares = &(m_squares = whole.squares->onFrame(frame, NAN));
     if (!whole.freeFor) return;
     m_freeFor = whole.freeFor->onFrame(frame, kUnknown);
     m_styled.freeFor = &m_freeFor;
@@ -197,7 +210,7 @@ class Part
 
  private:
   StyledLayer m_styled;
-  Layer<float> m_layer, m_freeFor, m_evidence, m_drops;
+  Layer<float> m_layer, m_freeFor, m_evidence, m_drops, m_shade, m_squares;
 };
 
 /** Draws all of a layer, which may be part of a map. */

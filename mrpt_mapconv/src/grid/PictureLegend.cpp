@@ -22,14 +22,22 @@ int decimalsForSpan(double span)
 
 LegendItem swatch(const Metrics& metrics, const TColor& color, const std::string& meaning)
 {
-  const int side = metrics.textHeight();
+  return swatches(metrics, {color}, meaning);
+}
+
+LegendItem swatches(const Metrics& metrics, const std::vector<TColor>& colors,
+                    const std::string& meaning)
+{
+  const int side = metrics.textHeight(), boxes = side * static_cast<int>(colors.size());
   const int gap = metrics.of(kGap), margin = metrics.unit();
-  return {side + 2 * margin + gap + metrics.textWidth(meaning), side + 2 * margin,
+  return {boxes + 2 * margin + gap + metrics.textWidth(meaning), side + 2 * margin,
           [=](Canvas& canvas, int x, int y)
           {
-            canvas.fill(x + margin, y + margin, side, side, color);
-            canvas.frame(x + margin, y + margin, side, side, kFaintInk);
-            canvas.text(x + side + 2 * margin + gap, y + margin, meaning, kInk);
+            for (std::size_t i = 0; i < colors.size(); ++i)
+              canvas.fill(x + margin + side * static_cast<int>(i), y + margin, side, side,
+                          colors[i]);
+            canvas.frame(x + margin, y + margin, boxes, side, kFaintInk);
+            canvas.text(x + boxes + 2 * margin + gap, y + margin, meaning, kInk);
           }};
 }
 

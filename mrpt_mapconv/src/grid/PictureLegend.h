@@ -17,6 +17,9 @@ struct LegendItem
 
 /** A small box of a colour with its meaning. */
 LegendItem swatch(const Metrics& metrics, const TColor& color, const std::string& meaning);
+/** Small boxes side by side, of colours that have one meaning. */
+LegendItem swatches(const Metrics& metrics, const std::vector<TColor>& colors,
+                    const std::string& meaning);
 /** A colour bar with the values at its ends and middle; "<=" and ">=" mark clipped ends. */
 LegendItem colorBar(const Metrics& metrics, const ColorRange& range, const std::string& unit,
                     TColor (*colorOf)(double));

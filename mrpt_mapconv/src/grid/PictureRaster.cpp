@@ -10,6 +10,8 @@ namespace mrpt_mapconv::grid::picture
 {
 namespace
 {
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
 int ceilDiv(int a, int b) { return (a + b - 1) / b; }
 
 /** Builds a raster from `colorOf(x0, x1, y0, y1)`: the colour of a block of cells. */
@@ -34,6 +36,21 @@ Raster rasterize(const GridFrame& frame, const Zoom& zoom, ColorOf colorOf)
   }
   return out;
 }
+
+/** The mean of the finite cells of a block; NaN if there are none. */
+double meanOf(const Layer<float>& layer, int x0, int x1, int y0, int y1)
+{
+  double sum = 0;
+  int count = 0;
+  for (int y = y0; y < y1; ++y)
+    for (int x = x0; x < x1; ++x)
+      if (const float value = layer.at(x, y); std::isfinite(value))
+      {
+        sum += static_cast<double>(value);
+        ++count;
+      }
+  return sum / count;  // 0 / 0 is NaN
+}
 }  // namespace
 
 Zoom zoomFor(const GridFrame& frame)
@@ -49,16 +66,8 @@ Raster rasterOfHeights(const Layer<float>& layer, const ColorRange& range, const
   return rasterize(layer.frame(), zoom,
                    [&](int x0, int x1, int y0, int y1)
                    {
-                     double sum = 0;
-                     int count = 0;
-                     for (int y = y0; y < y1; ++y)
-                       for (int x = x0; x < x1; ++x)
-                         if (const float value = layer.at(x, y); std::isfinite(value))
-                         {
-                           sum += static_cast<double>(value);
-                           ++count;
-                         }
-                     return count > 0 ? heightColor(range.position(sum / count)) : kNoDataColor;
+                     const double mean = meanOf(layer, x0, x1, y0, y1);
+                     return std::isfinite(mean) ? heightColor(range.position(mean)) : kNoDataColor;
                    });
 }
 
@@ -102,6 +111,22 @@ Raster rasterOfEvidence(const Layer<float>& layer, const Zoom& zoom)
         const auto last = static_cast<float>(kEvidenceLooks.size() - 1);
         return kEvidenceLooks[static_cast<std::size_t>(std::clamp(most, 0.0f, last))].color;
       });
+}
+
+Raster rasterOfPlanes(const StyledLayer& styled, const PlaneColors& colors, const ColorRange& bare,
+                      const Zoom& zoom)
+{
+  return rasterize(styled.layer->frame(), zoom,
+                   [&](int x0, int x1, int y0, int y1)
+                   {
+                     for (int y = y0; y < y1; ++y)
+                       for (int x = x0; x < x1; ++x)
+                         if (const float plane = styled.layer->at(x, y); !std::isnan(plane))
+                           return colors.of(static_cast<std::int32_t>(plane));
+                     const double mean =
+                         styled.shade ? meanOf(*styled.shade, x0, x1, y0, y1) : kNone;
+                     return std::isfinite(mean) ? bareColor(bare.position(mean)) : kNoDataColor;
+                   });
 }
 
 }  // namespace mrpt_mapconv::grid::picture

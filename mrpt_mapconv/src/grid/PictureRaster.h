@@ -2,6 +2,7 @@
 
 #include <mrpt_mapconv/grid/Layer.h>
 #include <mrpt_mapconv/grid/PictureColors.h>
+#include <mrpt_mapconv/grid/PlaneColors.h>
 #include <mrpt_mapconv/grid/StyledLayer.h>
 
 #include <vector>
@@ -35,5 +36,9 @@ Raster rasterOfOccupancy(const StyledLayer& styled, const Zoom& zoom);
 
 /** Of the cells that share a pixel the one with the highest number shows. */
 Raster rasterOfEvidence(const Layer<float>& layer, const Zoom& zoom);
+/** Of the cells that share a pixel the first one with a plane shows, or else, where there is
+ * StyledLayer::shade, their mean height. \param bare the heights' range */
+Raster rasterOfPlanes(const StyledLayer& styled, const PlaneColors& colors, const ColorRange& bare,
+                      const Zoom& zoom);
 
 }  // namespace mrpt_mapconv::grid::picture

@@ -22,6 +22,8 @@ const char* nameOf(LayerKind kind)
       return "occupancy";
     case LayerKind::Evidence:
       return "evidence";
+    case LayerKind::Plane:
+      return "plane";
     case LayerKind::Height:
       break;
   }

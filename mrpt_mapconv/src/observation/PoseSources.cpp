@@ -43,25 +43,36 @@ std::string fullName(const std::string& kind, const std::string& label)
 {
   return label.empty() ? kind : kind + ":" + label;
 }
+
+/** Of the robot, which is not where the sensor is whose pose was observed. */
+std::optional<HeightCovariance> covarianceOf(const mrpt::obs::CObservationRobotPose& obs)
+{
+  if (obs.sensorPose == CPose3D() || !heightCovariance(obs.pose.cov))
+    return heightCovariance(obs.pose.cov);
+  auto pose = obs.pose;
+  pose += -obs.sensorPose;
+  return heightCovariance(pose.cov);
+}
 }  // namespace
 
 bool PoseSources::add(const CObservation& obs)
 {
   if (const auto* pose = dynamic_cast<const mrpt::obs::CObservationRobotPose*>(&obs))
-    return add(m_robotPoses, obs, pose->pose.mean + (-pose->sensorPose));
+    return add(m_robotPoses, obs, pose->pose.mean + (-pose->sensorPose), covarianceOf(*pose));
   if (const auto* odometry = dynamic_cast<const mrpt::obs::CObservationOdometry*>(&obs))
-    return add(m_odometry, obs, CPose3D(odometry->odometry));
+    return add(m_odometry, obs, CPose3D(odometry->odometry), {});
   return false;
 }
 
-bool PoseSources::add(Tracks& tracks, const CObservation& obs, const CPose3D& pose)
+bool PoseSources::add(Tracks& tracks, const CObservation& obs, const CPose3D& pose,
+                      const std::optional<HeightCovariance>& covariance)
 {
   if (obs.timestamp == INVALID_TIMESTAMP)
     ++m_withoutTime;
   else if (!isFinite(pose))
     ++m_notFinite;
   else
-    tracks[obs.sensorLabel].insert(obs.timestamp, pose);
+    tracks[obs.sensorLabel].insert(obs.timestamp, pose, covariance);
   return true;
 }
 

@@ -47,7 +47,8 @@ class PoseSources
     const PoseTrack* track;  //!< null: the increments
   };
 
-  bool add(Tracks& tracks, const mrpt::obs::CObservation& obs, const mrpt::poses::CPose3D& pose);
+  bool add(Tracks& tracks, const mrpt::obs::CObservation& obs, const mrpt::poses::CPose3D& pose,
+           const std::optional<HeightCovariance>& covariance);
   /** In the order in which they are preferred. */
   std::vector<Source> sources() const;
 

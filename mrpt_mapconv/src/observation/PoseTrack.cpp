@@ -28,10 +28,11 @@ CPose3D between(const CPose3D& a, const CPose3D& b, double share)
 
 }  // namespace
 
-bool PoseTrack::insert(TTimeStamp time, const CPose3D& pose)
+bool PoseTrack::insert(TTimeStamp time, const CPose3D& pose,
+                       const std::optional<HeightCovariance>& covariance)
 {
   if (time == INVALID_TIMESTAMP || !isFinite(pose)) return false;
-  m_poses[time] = pose;
+  m_poses[time] = {pose, covariance};
   return true;
 }
 
@@ -51,17 +52,36 @@ PoseTrack::Coverage PoseTrack::coverage(TTimeStamp time, double maxGap) const
   return std::max(ahead, behind) > maxGap ? Coverage::Gap : Coverage::Known;
 }
 
-std::optional<CPose3D> PoseTrack::at(TTimeStamp time, double maxGap) const
+PoseTrack::Around PoseTrack::around(TTimeStamp time) const
 {
   using mrpt::system::timeDifference;
-  if (coverage(time, maxGap) != Coverage::Known) return std::nullopt;
   const auto next = m_poses.lower_bound(time);
-  if (next == m_poses.end()) return m_poses.rbegin()->second;
-  if (next->first == time || next == m_poses.begin()) return next->second;
+  if (next == m_poses.end()) return {m_poses.rbegin()->second, m_poses.rbegin()->second, 0};
+  if (next->first == time || next == m_poses.begin()) return {next->second, next->second, 0};
   const auto previous = std::prev(next);
-  const double share =
-      timeDifference(previous->first, time) / timeDifference(previous->first, next->first);
-  return between(previous->second, next->second, share);
+  return {previous->second, next->second,
+          timeDifference(previous->first, time) / timeDifference(previous->first, next->first)};
+}
+
+std::optional<CPose3D> PoseTrack::at(TTimeStamp time, double maxGap) const
+{
+  if (coverage(time, maxGap) != Coverage::Known) return std::nullopt;
+  const Around poses = around(time);
+  if (&poses.before == &poses.after) return poses.before.mean;
+  return between(poses.before.mean, poses.after.mean, poses.share);
+}
+
+std::optional<HeightCovariance> PoseTrack::covarianceAt(TTimeStamp time, double maxGap) const
+{
+  if (coverage(time, maxGap) != Coverage::Known) return std::nullopt;
+  const Around poses = around(time);
+  if (!poses.before.covariance || !poses.after.covariance) return std::nullopt;
+  HeightCovariance out = *poses.before.covariance;
+  for (int row = 0; row < 3; ++row)
+    for (int column = 0; column < 3; ++column)
+      out(row, column) =
+          linear(out(row, column), (*poses.after.covariance)(row, column), poses.share);
+  return out;
 }
 
 double PoseTrack::gapAt(TTimeStamp time) const

@@ -97,7 +97,8 @@ class Log
     std::vector<PosedObservation> out;
     for (const auto& scan : m_scans)
       if (const auto pose = track->at(scan.observation->timestamp, options.maxPoseGap))
-        out.push_back({scan.observation, *pose});
+        out.push_back({scan.observation, *pose,
+                       track->covarianceAt(scan.observation->timestamp, options.maxPoseGap)});
       else
         lost.add(*track, scan.observation->timestamp);
     return out;
@@ -192,8 +193,9 @@ std::vector<PosedObservation> readSimpleMap(files::ObjectFile& file, const COutp
     const bool usable = pose && frame && isFinite(pose->getMeanVal());
     if (!usable) ++skipped;
     if (!usable) continue;
+    const auto [covariance, mean] = pose->getCovarianceAndMean();
     for (const auto& obs : *frame)
-      if (obs && isScan(*obs)) scans.push_back({obs, pose->getMeanVal()});
+      if (obs && isScan(*obs)) scans.push_back({obs, mean, heightCovariance(covariance)});
   }
   if (skipped > 0)
     warn(log, path + ": " + std::to_string(skipped) + " of " +

@@ -153,13 +153,13 @@ InsertedScans insertScans(octomap::OcTree& tree,
 {
   InsertedScans inserted;
   std::size_t count = 0;
-  for (const auto& [observation, robotPose] : scans)
+  for (const auto& posed : scans)
   {
     if (progress) progress(static_cast<double>(count++) / static_cast<double>(scans.size()));
-    if (!options.insert2D && !observation::is3DScan(*observation)) continue;
+    if (!options.insert2D && !observation::is3DScan(*posed.observation)) continue;
     try
     {
-      const auto scan = observation::sensorPoints(*observation, robotPose, warnings);
+      const auto scan = observation::sensorPoints(*posed.observation, posed.robotPose, warnings);
       if (!scan || scan->empty()) continue;
       inserted.changed.insert(insertScan(tree, *scan, options, warnings));
       ++inserted.scans;

@@ -182,6 +182,16 @@ TEST_F(GoldenJsonVelodyne, insertWithIniFile)
   expectInsertJson("insert_ini", kSlice + std::vector<std::string>{"-c", ini});
 }
 
+TEST_F(GoldenJsonVelodyne, terrain)
+{
+  expectJson("terrain", {"terrain", kVelodyne, "-o", path("out"), "--static"});
+  const auto ini =
+      write("my.ini", "[terrainInsertion]\nrangeSigma = 0.03\n[terrain]\nhypotheses = 8\n");
+  expectJson("terrain_flags",
+             {"terrain", kVelodyne, "-o", path("out"), "--static", "-c", ini, "--resolution", "0.1",
+              "--max-height", "3", "--height-rule", "maximum"});
+}
+
 TEST_F(GoldenJsonVelodyne, convert)
 {
   const auto ini = write("my.ini", "[conversion]\nminClearance = 0.4\n");

@@ -66,6 +66,13 @@ TEST(GoldenOutputs, insertWithoutTheFilter)
                 {"insert", file, "--no-reflection-filter", "--resolution", "0.1"});
 }
 
+TEST(GoldenOutputs, terrain)
+{
+  if (!std::filesystem::exists(kVelodyne)) GTEST_SKIP() << kVelodyne << " is not there";
+  const TempDir dir;
+  expectOutputs("terrain", dir, {"terrain", kVelodyne, "--static", "--max-height", "3"});
+}
+
 TEST(GoldenOutputs, plan)
 {
   const TempDir dir;

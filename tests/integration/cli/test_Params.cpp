@@ -57,7 +57,7 @@ Tables printedTables()
   std::vector<std::string> sections;
   for (std::string line; std::getline(lines, line);)
     if (line.rfind("## ", 0) == 0)
-      map = line.find("freeSpaceGrid") != std::string::npos ? "freeSpaceGrid" : "scanShapeGrid";
+      map = line.substr(3, line.find(' ', 3) - 3);
     else if (line.rfind("### ", 0) == 0)
     {
       sections = sectionsIn(line);
@@ -113,9 +113,9 @@ std::map<std::string, Value> valuesIn(const fs::path& path, const std::string& s
 /** The table's name for a section of an MRPT program; empty if it is none of ours. */
 std::string tableOf(const std::string& section)
 {
-  for (const std::string map : {"freeSpaceGrid", "scanShapeGrid"})
+  for (const std::string map : {"freeSpaceGrid", "scanShapeGrid", "terrainGrid"})
     for (const std::string options :
-         {"_creationOpts", "_insertOpts", "_conversionOpts", "_renderOpts"})
+         {"_creationOpts", "_insertOpts", "_conversionOpts", "_terrainOpts", "_renderOpts"})
     {
       const std::string end = "_" + map + "_00" + options;
       if (section.size() > end.size() &&
@@ -149,7 +149,7 @@ TEST(Params, EveryKeyOfOursInConfigIsInATable)
   const std::set<std::string> ofAllMaps = {"enableSaveAs3DObject", "enableObservationLikelihood",
                                            "enableObservationInsertion", "robotHeight"};
   std::size_t checked = 0;
-  for (const std::string folder : {"freeSpaceGrid", "scanShapeGrid"})
+  for (const std::string folder : {"freeSpaceGrid", "scanShapeGrid", "terrainGrid"})
     for (const auto& file : fs::directory_iterator(kRoot / "config" / folder))
     {
       const mrpt::config::CConfigFile ini(file.path().string());
@@ -170,7 +170,7 @@ TEST(Params, EveryKeyOfOursInConfigIsInATable)
   EXPECT_GT(checked, 40u);
 }
 
-/** convert.ini and insert.ini say "with their defaults". */
+/** convert.ini, insert.ini and terrain.ini say "with their defaults". */
 TEST(Params, TheProgramsIniFilesHoldDefaultsOrSayThatTheyDoNot)
 {
   const Tables tables = printedTables();
@@ -178,7 +178,10 @@ TEST(Params, TheProgramsIniFilesHoldDefaultsOrSayThatTheyDoNot)
            {"freeSpaceGrid/convert.ini", "freeSpaceGrid [conversion]", "conversion"},
            {"freeSpaceGrid/convert.ini", "freeSpaceGrid [voxelInsertion]", "voxelInsertion"},
            {"scanShapeGrid/insert.ini", "scanShapeGrid [map]", "map"},
-           {"scanShapeGrid/insert.ini", "scanShapeGrid [scanInsertion]", "scanInsertion"}})
+           {"scanShapeGrid/insert.ini", "scanShapeGrid [scanInsertion]", "scanInsertion"},
+           {"terrainGrid/terrain.ini", "terrainGrid [map]", "map"},
+           {"terrainGrid/terrain.ini", "terrainGrid [terrainInsertion]", "terrainInsertion"},
+           {"terrainGrid/terrain.ini", "terrainGrid [terrain]", "terrain"}})
   {
     const auto values = valuesIn(kRoot / "config" / path, section);
     ASSERT_TRUE(tables.count(table) > 0 && !values.empty()) << table;

@@ -27,7 +27,7 @@ std::vector<std::string> convertWith(const TempDir& dir, std::vector<std::string
 TEST(Usage, helpAndVersionAreNoErrors)
 {
   for (const std::string command :
-       {"", "convert", "project", "insert", "info", "run", "sample-map"})
+       {"", "convert", "project", "insert", "terrain", "info", "run", "sample-map"})
   {
     std::vector<std::string> arguments = {command, "--help"};
     if (command.empty()) arguments.erase(arguments.begin());
@@ -68,6 +68,9 @@ TEST(Usage, wrongUsageIsStatus2AndOneLineThatNamesIt)
       {{"insert", input}, "--output"},
       {{"insert", "-o", dir.path("out"), "--structure", "2.2", "2.6"}, "INPUT"},
       {{"insert", input, "-o", dir.path("out"), "--no-2d", "0"}, "0"},
+      {{"terrain"}, "INPUT"},
+      {{"terrain", input}, "--output"},
+      {{"terrain", input, "-o", dir.path("out"), "--frobnicate"}, "frobnicate"},
       {{"info"}, "FILE"},
       {{"run"}, "program"},
       {{"run", "--"}, "program"},

@@ -11,6 +11,7 @@ TEST(StyledLayer, UnknownCellsAreThoseOfTheKind)
   EXPECT_TRUE(std::isnan(unknownCell(LayerKind::Height)));
   EXPECT_TRUE(std::isnan(unknownCell(LayerKind::Slope)));
   EXPECT_EQ(unknownCell(LayerKind::Occupancy), -1.0f);
+  EXPECT_TRUE(std::isnan(unknownCell(LayerKind::Plane)));
 }
 
 TEST(StyledLayer, KindsHaveNames)
@@ -18,6 +19,7 @@ TEST(StyledLayer, KindsHaveNames)
   EXPECT_STREQ(nameOf(LayerKind::Height), "height");
   EXPECT_STREQ(nameOf(LayerKind::Slope), "slope");
   EXPECT_STREQ(nameOf(LayerKind::Occupancy), "occupancy");
+  EXPECT_STREQ(nameOf(LayerKind::Plane), "plane");
 }
 
 TEST(StyledLayer, IsFoundByName)

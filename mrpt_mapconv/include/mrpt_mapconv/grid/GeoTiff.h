@@ -1,6 +1,7 @@
 #pragma once
 
 #include <mrpt_mapconv/grid/StyledLayer.h>
+#include <mrpt_mapconv/params/Fields.h>
 
 #include <map>
 #include <string>
@@ -10,6 +11,16 @@ namespace mrpt_mapconv::grid
 {
 /** What a file says about its layers: names and values, as GDAL's metadata items. */
 using Metadata = std::map<std::string, std::string>;
+
+/** All fields of a struct with a list (params/Fields.h) that are set. */
+template <class Params>
+Metadata metadataOf(const Params& params)
+{
+  Metadata items;
+  params::forEachText(
+      params, [&items](const char* name, const std::string& text) { items.emplace(name, text); });
+  return items;
+}
 
 /** Writes layers as the bands of one Float32 GeoTIFF, in their order, described by their names.
  *

@@ -53,7 +53,8 @@ struct GridFrame
   bool operator!=(const GridFrame& o) const { return !(*this == o); }
 };
 
-/** The smallest frame that holds both (of the same resolution and shift); an empty one adds nothing. */
+/** The smallest frame that holds both (of the same resolution and shift); an empty one adds
+ * nothing. */
 GridFrame unite(const GridFrame& a, const GridFrame& b);
 
 }  // namespace mrpt_mapconv::grid

@@ -13,7 +13,8 @@ namespace mrpt_mapconv::grid
 void checkGridMapFrame(const GridFrame& frame);
 
 /** Copies an occupancy layer into an MRPT grid map of the same frame, replacing what it holds;
- * cell values as in rawGridCell().
+ * cell values as in rawGridCell(). Of a shifted frame the grid has the limits, too; whatever sets
+ * its size anew puts them on multiples of the resolution.
  *
  * \param occupancy 0 free, (0, 1] occupied, else unknown; at least one cell
  * \exception std::invalid_argument for an empty layer
@@ -23,6 +24,8 @@ void copyToGridMap(const Layer<float>& occupancy, mrpt::maps::COccupancyGridMap2
 
 /** Writes an occupancy layer as a `.gridmap` file, a compressed, serialized
  * mrpt::maps::COccupancyGridMap2D, as MRPT's programs read it (without this library's plugin).
+ * They put a grid's limits on multiples of its resolution: of a frame that is shifted by half a
+ * cell, each cell is written as 2 x 2 of half the size.
  *
  * \exception std::invalid_argument, std::runtime_error as copyToGridMap()
  * \exception std::runtime_error naming the file and the reason if it cannot be written */

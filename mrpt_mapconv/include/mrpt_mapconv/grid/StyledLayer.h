@@ -14,6 +14,7 @@ enum class LayerKind
   Slope,      //!< slopes from 0 up; NaN: not known
   Occupancy,  //!< 0 free, (0, 1] occupied, else unknown
   Evidence,   //!< 0 none, 1 seen, 2 inferred, 3 open, 4 wall, of what is known of the ground
+  Plane,      //!< index of the plane that a cell lies in, from 0 on; NaN: none
 };
 
 /** The value of LayerKind::Evidence for inferred ground. */
@@ -21,7 +22,7 @@ constexpr float kInferredGround = 2;
 
 /** A cell of which nothing is known. */
 float unknownCell(LayerKind kind);
-/** "height", "slope", "occupancy" or "evidence". */
+/** "height", "slope", "occupancy", "evidence" or "plane". */
 const char* nameOf(LayerKind kind);
 
 /** A layer and all that files, pictures and views say about it. It does not own the layer. */
@@ -40,6 +41,12 @@ struct StyledLayer
   const Layer<float>* evidence = nullptr;
   /** Only beside freeFor, on the same frame: cells that are not 0 are shown as drop edges. */
   const Layer<float>* drops = nullptr;
+  /** Only for Plane, on the same frame: heights [m], NaN: not known. A picture shades cells without
+   * a plane by them. */
+  const Layer<float>* shade = nullptr;
+  /** Only for Plane, on the same frame: side [m] of the square of 2^k cells that a cell lies in,
+   * whose lower corner has keys that are divisible by 2^k; NaN: none. A picture outlines them. */
+  const Layer<float>* squares = nullptr;
 };
 
 /** The layer of that name.

@@ -2,6 +2,7 @@
 
 #include <mrpt/poses/CPose3D.h>
 #include <mrpt/system/datetime.h>
+#include <mrpt_mapconv/observation/PoseCovariance.h>
 
 #include <cstddef>
 #include <map>
@@ -21,8 +22,10 @@ class PoseTrack
   static constexpr double kMaxGap = 1.0;
 
   /** Adds a pose; one of the same time is replaced.
+   * \param covariance of it, if it is known
    * \return false, and nothing added, for an invalid time or a pose that is not finite */
-  bool insert(mrpt::system::TTimeStamp time, const mrpt::poses::CPose3D& pose);
+  bool insert(mrpt::system::TTimeStamp time, const mrpt::poses::CPose3D& pose,
+              const std::optional<HeightCovariance>& covariance = {});
 
   bool empty() const { return m_poses.empty(); }
   std::size_t size() const { return m_poses.size(); }
@@ -42,11 +45,29 @@ class PoseTrack
    * last pose up to kTolerance outside; nothing unless the time is Coverage::Known. */
   std::optional<mrpt::poses::CPose3D> at(mrpt::system::TTimeStamp time,
                                          double maxGap = kMaxGap) const;
+  /** The covariance of that pose, linear between the neighbours' too; nothing where there is no
+   * pose, or one of them has none. */
+  std::optional<HeightCovariance> covarianceAt(mrpt::system::TTimeStamp time,
+                                               double maxGap = kMaxGap) const;
   /** Time between the two poses around a time [s]; 0 if there are not two. */
   double gapAt(mrpt::system::TTimeStamp time) const;
 
  private:
-  std::map<mrpt::system::TTimeStamp, mrpt::poses::CPose3D> m_poses;
+  struct Pose
+  {
+    mrpt::poses::CPose3D mean;
+    std::optional<HeightCovariance> covariance;
+  };
+  /** The two poses around a known time and its share of the way between them; the same one twice
+   * where there is but one. */
+  struct Around
+  {
+    const Pose &before, &after;
+    double share;
+  };
+  Around around(mrpt::system::TTimeStamp time) const;
+
+  std::map<mrpt::system::TTimeStamp, Pose> m_poses;
 };
 
 }  // namespace mrpt_mapconv::observation

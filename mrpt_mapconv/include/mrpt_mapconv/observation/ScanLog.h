@@ -4,6 +4,7 @@
 #include <mrpt/poses/CPose3D.h>
 #include <mrpt/system/COutputLogger.h>
 #include <mrpt_mapconv/files/ObjectFile.h>
+#include <mrpt_mapconv/observation/PoseCovariance.h>
 #include <mrpt_mapconv/observation/PoseTrack.h>
 
 #include <optional>
@@ -15,14 +16,16 @@ namespace mrpt_mapconv::observation
 /** A scan and where the robot was when it was taken. */
 struct PosedObservation
 {
-  mrpt::obs::CObservation::Ptr observation;  //!< of a class that sensorPoints() reads
-  mrpt::poses::CPose3D robotPose;            //!< robot -> map
+  mrpt::obs::CObservation::Ptr observation;             //!< of a class that sensorPoints() reads
+  mrpt::poses::CPose3D robotPose;                       //!< robot -> map
+  std::optional<HeightCovariance> poseCovariance = {};  //!< where the log has one
 };
 
 /** Whether one of them is a 3D scan. */
 bool has3DScan(const std::vector<PosedObservation>& scans);
 
-/** The scans of an MRPT simplemap, each at the mean pose of its keyframe, in the file's order.
+/** The scans of an MRPT simplemap, each at the mean pose of its keyframe and with its covariance,
+ * in the file's order.
  *
  * Sets MRPT's lazy-load directory as readRawlog() does.
  * \param path a `.simplemap`, gzipped or not
@@ -51,9 +54,9 @@ struct RawlogOptions
  * file's order.
  *
  * Poses come from the first of these that the log has:
- * 1. CObservationRobotPose (the mean, of the robot: sensorPose is taken off), interpolated to the
- * scan's time by PoseTrack; of several sources, told apart by their label, the one with the most
- * poses;
+ * 1. CObservationRobotPose (mean and covariance, of the robot: sensorPose is taken off),
+ * interpolated to the scan's time by PoseTrack; of several sources, told apart by their label, the
+ * one with the most poses;
  * 2. CObservationOdometry, likewise;
  * 3. the increments of CActionCollection, summed up: a sensory frame is at the sum of all actions
  *    before it. Of wheel odometry the raw reading is taken, since MRPT draws the increment itself
