@@ -89,6 +89,13 @@ void StrictSection::read(const std::string& key, std::optional<double>& value)
   if (!readNumberOrAuto(text(key), value)) fail(key, rightTextOf(value));
 }
 
+void StrictSection::read(const std::string& key, std::optional<std::int32_t>& value)
+{
+  m_known.insert(key);
+  if (!has(key)) return;
+  if (!readNumberOrAuto(text(key), value)) fail(key, rightTextOf(value));
+}
+
 void StrictSection::read(const std::string& key, std::string& value)
 {
   m_known.insert(key);

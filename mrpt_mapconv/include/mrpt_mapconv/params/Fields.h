@@ -325,7 +325,7 @@ void writeFields(const Params& params, mrpt::serialization::CArchive& out)
                 if constexpr (isDegrees<Field>)
                   out << field.radians;
                 else if constexpr (isOptional<Field>)
-                  out << field.value_or(internal::kNoNumber);
+                  out << (field ? static_cast<double>(*field) : internal::kNoNumber);
                 else if constexpr (std::is_enum_v<Field>)
                   out << static_cast<std::uint8_t>(field);
                 else
@@ -353,8 +353,8 @@ void readFields(mrpt::serialization::CArchive& in, Params& params, std::uint8_t 
         {
           double number = 0;
           in >> number;
-          field = number;
-          if (std::isnan(number)) field.reset();
+          field.reset();
+          if (!std::isnan(number)) field = static_cast<typename Field::value_type>(number);
         }
         else if constexpr (std::is_enum_v<Field>)
         {

@@ -34,6 +34,7 @@ class StrictSection
   void read(const std::string& key, std::uint32_t& value);
   void read(const std::string& key, std::uint16_t& value);
   void read(const std::string& key, std::optional<double>& value);  //!< a number, or auto for none
+  void read(const std::string& key, std::optional<std::int32_t>& value);
   /** Numbers between spaces, commas or brackets. */
   void read(const std::string& key, std::vector<double>& values);
   void read(const std::string& key, bool& value);         //!< true/false, yes/no, 1/0
