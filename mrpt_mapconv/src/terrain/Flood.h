@@ -49,6 +49,13 @@ class Flood
   }
 
   const std::vector<Part>& parts() const { return m_parts; }
+  /** The cells of a row that were reached. */
+  RowBits row(const Tile& tile, std::int32_t iy) const
+  {
+    return tile.floodNumber == m_number
+               ? m_parts[tile.floodIndex].reached[static_cast<std::size_t>(iy)]
+               : 0;
+  }
   /** Moments of what was reached. */
   PlaneMoments moments(const CellRef& origin) const;
 

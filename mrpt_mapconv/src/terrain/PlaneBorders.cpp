@@ -363,8 +363,10 @@ void PlaneBorders::carve(std::int32_t id, const CellRef& origin)
 
 bool PlaneBorders::isPlane(const PlaneState& state) const
 {
-  return state.moments.cells() >= m_search.minCells && state.moments.spans() &&
-         isAllowed(state.moments.fit(), m_search);
+  constexpr double kNearly = 0.75;  // of the width; holes and ragged edges take some of it
+  const PlaneMoments& moments = state.moments;
+  return moments.cells() >= m_search.minCells && moments.spans() &&
+         moments.narrowness() >= kNearly * m_search.minWidth && isAllowed(moments.fit(), m_search);
 }
 
 std::vector<TileCells> PlaneBorders::splitAndDissolve()

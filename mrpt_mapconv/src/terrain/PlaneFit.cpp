@@ -38,6 +38,18 @@ double PlaneMoments::halfWidth(std::int64_t squares, std::int64_t sum) const
   return std::sqrt(3 * std::max(0.0, spread)) / n;
 }
 
+double PlaneMoments::narrowness() const
+{
+  const Int128 n = m_n;
+  const auto xx = static_cast<double>(n * m_sxx - Int128{m_sx} * m_sx),
+             yy = static_cast<double>(n * m_syy - Int128{m_sy} * m_sy),
+             xy = static_cast<double>(n * m_sxy - Int128{m_sx} * m_sy);
+  const double least = (xx + yy) / 2 - std::hypot((xx - yy) / 2, xy);
+  // a row of w cells has the variance (w² − 1) / 12
+  const auto cells = static_cast<double>(m_n);
+  return std::sqrt(12 * std::max(0.0, least) / (cells * cells) + 1);
+}
+
 bool PlaneMoments::spans() const
 {
   if (m_n < 3) return false;

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "../grid/Parallel.h"
+#include "PlaneWidth.h"
 #include "SmallFlood.h"
 
 namespace mrpt_mapconv::terrain
@@ -81,7 +82,20 @@ bool PlaneGrowth::flood(const CellRef& seed, const Plane& plane)
   return m_flood.from(seed, open) >= m_search.minCells;
 }
 
-/** Grows a plane by flood fill, refits it once and grows it once more. */
+/** Whether what was reached is wide enough. */
+bool PlaneGrowth::isWide(const PlaneMoments& moments) const
+{
+  if (m_search.minWidth <= 1) return true;
+  constexpr double kNearly = 0.75;  // holes and ragged edges take some of it
+  if (moments.narrowness() < kNearly * m_search.minWidth) return false;
+  const auto row = [this](const Tile& tile, std::int32_t iy) { return m_flood.row(tile, iy); };
+  return std::any_of(m_flood.parts().begin(), m_flood.parts().end(),
+                     [&](const Flood::Part& part)
+                     { return hasFilledSquare(*part.tile, m_search.minWidth, row); });
+}
+
+/** Grows a plane by flood fill, refits it once and grows it once more. What is too narrow for a
+ * plane is no seed any more. */
 bool PlaneGrowth::growFrom(const CellRef& seed, PlaneSet& planes)
 {
   const auto found = m_seedPlane.find(seed);
@@ -92,6 +106,11 @@ bool PlaneGrowth::growFrom(const CellRef& seed, PlaneSet& planes)
   if (!isAllowed(fitted, m_search) || !flood(seed, fitted)) return false;
   moments = m_flood.moments(seed);
   if (!moments.spans() || !isAllowed(moments.fit(), m_search)) return false;
+  if (!isWide(moments))
+  {
+    reject();
+    return false;
+  }
   const std::int32_t id = planes.add(moments);
   for (const Flood::Part& part : m_flood.parts())
   {
@@ -101,6 +120,24 @@ bool PlaneGrowth::growFrom(const CellRef& seed, PlaneSet& planes)
                  [&](std::int32_t ix) { part.tile->assign(Tile::indexOf(ix, iy), id); });
   }
   return true;
+}
+
+/** Seeds that were reached are none any more. */
+void PlaneGrowth::reject()
+{
+  for (const Flood::Part& part : m_flood.parts())
+  {
+    TileBits& rejected = m_rejected[part.tile];
+    for (std::size_t y = 0; y < kTileSide; ++y) rejected[y] |= part.reached[y];
+  }
+}
+
+bool PlaneGrowth::isRejected(const CellRef& seed) const
+{
+  if (m_rejected.empty()) return false;
+  const auto found = m_rejected.find(seed.tile);
+  return found != m_rejected.end() &&
+         (found->second[static_cast<std::size_t>(seed.iy)] >> seed.ix & 1u);
 }
 
 /** Finds out which seeds would find no plane, as things are. */
@@ -116,7 +153,7 @@ void PlaneGrowth::lookAhead(const std::vector<CellRef>& seeds, int threads)
                      for (std::size_t i = begin; i < end; ++i)
                      {
                        m_hopeless[i] = true;
-                       if (!small.hasRoom(seeds[i])) continue;
+                       if (isRejected(seeds[i]) || !small.hasRoom(seeds[i])) continue;
                        const auto plane = seedPlane.find(seeds[i]);
                        m_hopeless[i] = !plane || !small.mayBePlane(seeds[i], *plane);
                      }
@@ -160,6 +197,7 @@ PlaneGrowth::KeyBox PlaneGrowth::reachedBox() const
 void PlaneGrowth::grow(const std::vector<TileCells>& seeds, PlaneSet& planes, int threads)
 {
   SeedOrder order(seeds);
+  m_rejected.clear();
   std::vector<CellRef> next;
   std::size_t many = kFewSeeds;
   for (order.take(many, next); !next.empty(); order.take(many, next))
@@ -169,7 +207,9 @@ void PlaneGrowth::grow(const std::vector<TileCells>& seeds, PlaneSet& planes, in
     for (std::size_t i = 0; i < next.size(); ++i)
     {
       const CellRef& seed = next[i];
-      if (seed.tile->plane[seed.index()] != kNoPlane || isStillHopeless(seed, i)) continue;
+      if (seed.tile->plane[seed.index()] != kNoPlane || isRejected(seed) ||
+          isStillHopeless(seed, i))
+        continue;
       if (!growFrom(seed, planes)) continue;
       m_grown.push_back(reachedBox());
       many = kFewSeeds;

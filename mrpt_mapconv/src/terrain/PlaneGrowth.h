@@ -1,5 +1,6 @@
 #pragma once
 
+#include <unordered_map>
 #include <vector>
 
 #include "Flood.h"
@@ -35,6 +36,9 @@ class PlaneGrowth
 
   bool growFrom(const CellRef& seed, PlaneSet& planes);
   bool flood(const CellRef& seed, const Plane& plane);
+  bool isWide(const PlaneMoments& moments) const;
+  void reject();
+  bool isRejected(const CellRef& seed) const;
   void lookAhead(const std::vector<CellRef>& seeds, int threads);
   bool isStillHopeless(const CellRef& seed, std::size_t index) const;
   KeyBox reachedBox() const;
@@ -42,6 +46,7 @@ class PlaneGrowth
   PlaneSearch m_search;
   SeedPlane m_seedPlane;
   Flood m_flood;
+  std::unordered_map<const Tile*, TileBits> m_rejected;
   std::vector<char> m_hopeless;  //!< of the seeds that were looked at: they find no plane
   std::vector<KeyBox> m_grown;   //!< what planes have taken since
 };

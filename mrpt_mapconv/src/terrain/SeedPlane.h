@@ -18,6 +18,7 @@ struct PlaneSearch
   std::int32_t hypotheses = 1;  //!< K
   std::int32_t blockCells = 1;  //!< B
   std::int32_t minCells = 3;
+  std::int32_t minWidth = 1;  //!< [cells], at most kTileSide
 };
 
 /** Whether a plane is at most as steep as is allowed. */

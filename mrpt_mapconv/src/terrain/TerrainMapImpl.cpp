@@ -22,7 +22,10 @@ PlaneSearch searchFor(const TerrainParams& params, double resolution)
   search.window = std::max(2, static_cast<std::int32_t>(window));
   search.hypotheses = params.hypotheses;
   search.blockCells = params.blockCells;
-  search.minCells = params.leastPlaneCells(resolution);
+  search.minCells = params.minPlaneCells;
+  const double width = std::ceil(params.minPlaneWidth / resolution);
+  search.minWidth =
+      width == 0 ? 1 : static_cast<std::int32_t>(std::min<double>(kTileSide, width + 1));
   return search;
 }
 }  // namespace

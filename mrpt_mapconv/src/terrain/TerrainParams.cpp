@@ -2,7 +2,6 @@
 #include <mrpt_mapconv/params/Require.h>
 #include <mrpt_mapconv/terrain/TerrainParams.h>
 
-#include <algorithm>
 #include <cmath>
 
 namespace mrpt_mapconv::terrain
@@ -25,21 +24,13 @@ void TerrainParams::check() const
   require(hypotheses >= 1 && hypotheses <= kMostHypotheses, "hypotheses", hypotheses,
           "within 1 and 64");
   require(blockCells >= 1 && blockCells <= 1000, "blockCells", blockCells, "within 1 and 1000");
-  if (minPlaneCells)
-    require(*minPlaneCells >= 3, "minPlaneCells", *minPlaneCells,
-            "at least 3, which is what a plane needs, or auto");
+  require(minPlaneCells >= 3, "minPlaneCells", minPlaneCells,
+          "at least 3, which is what a plane needs");
+  require(within(minPlaneWidth, 0, 100), "minPlaneWidth", minPlaneWidth, "within 0 and 100 m");
   require(within(maxPlaneSlope, 0, 10), "maxPlaneSlope", maxPlaneSlope, "within 0 and 10 m/m");
   require(within(maxSlope, 0, 1e6), "maxSlope", maxSlope, "a slope >= 0 m/m");
   require(within(maxStep, 0, 1e6), "maxStep", maxStep, "a height >= 0 m");
   require(within(localWindow, 0, 1e6), "localWindow", localWindow, "a side > 0 m, or 0 for none");
-}
-
-std::int32_t TerrainParams::leastPlaneCells(double resolution) const
-{
-  constexpr double kFoothold = 0.02, kLeast = 12, kMost = 1e6;  // [m²], cells
-  if (minPlaneCells) return *minPlaneCells;
-  return static_cast<std::int32_t>(
-      std::clamp(std::ceil(kFoothold / (resolution * resolution)), kLeast, kMost));
 }
 
 void PointSigmas::check() const

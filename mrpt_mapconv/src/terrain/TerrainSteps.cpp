@@ -9,8 +9,13 @@ namespace mrpt_mapconv::terrain
 {
 namespace
 {
-/** Cells between two planes that belong to neither: the riser's. */
-constexpr std::int32_t kMostGap = 2;
+/** Cells between two planes that belong to neither, those of the riser: noise mixes what is above
+ * with what is below on either side of it. */
+std::int32_t mostGap(double resolution)
+{
+  constexpr double kMixed = 0.12;  // [m]
+  return std::clamp(static_cast<std::int32_t>(std::ceil(kMixed / resolution)), 2, kTileSide - 1);
+}
 
 /** Where two planes meet, from all pairs of cells that face each other. */
 struct Meeting
@@ -23,10 +28,10 @@ struct Meeting
 };
 using Meetings = std::map<std::pair<std::int32_t, std::int32_t>, Meeting>;
 
-/** The first plane beyond a cell in a direction, at most kMostGap cells without a plane away. */
-CellRef facing(const CellRef& from, std::int32_t dx, std::int32_t dy)
+/** The first plane beyond a cell in a direction, at most `gap` cells without a plane away. */
+CellRef facing(const CellRef& from, std::int32_t dx, std::int32_t dy, std::int32_t gap)
 {
-  for (std::int32_t i = 1; i <= kMostGap + 1; ++i)
+  for (std::int32_t i = 1; i <= gap + 1; ++i)
   {
     const CellRef cell = cellAt(*from.tile, from.ix + i * dx, from.iy + i * dy);
     if (!cell || !cell.tile->isKnown(cell.ix, cell.iy)) return {};
@@ -38,9 +43,10 @@ CellRef facing(const CellRef& from, std::int32_t dx, std::int32_t dy)
 void addMeetings(Tile& tile, const TerrainMap& map, const std::vector<std::int32_t>& indices,
                  Meetings& meetings)
 {
+  const std::int32_t gap = mostGap(map.resolution());
   const auto addOf = [&](std::int32_t ix, std::int32_t iy, std::int32_t dx, std::int32_t dy)
   {
-    const CellRef cell{&tile, ix, iy}, other = facing(cell, dx, dy);
+    const CellRef cell{&tile, ix, iy}, other = facing(cell, dx, dy, gap);
     if (!other) return;
     const std::int32_t a = indices[static_cast<std::size_t>(tile.plane[cell.index()])],
                        b = indices[static_cast<std::size_t>(other.tile->plane[other.index()])];

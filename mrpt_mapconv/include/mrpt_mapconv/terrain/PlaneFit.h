@@ -53,6 +53,9 @@ class PlaneMoments
   /** Mean key of the cells. */
   double meanX() const { return m_x + static_cast<double>(m_sx) / static_cast<double>(m_n); }
   double meanY() const { return m_y + static_cast<double>(m_sy) / static_cast<double>(m_n); }
+  /** The smaller side of a rectangle of evenly spread cells, however turned, with their variances
+   * and covariance. */
+  double narrowness() const;
   /** Half the sides of an upright rectangle of evenly spread cells with the variances of these. */
   double halfWidthX() const { return halfWidth(m_sxx, m_sx); }
   double halfWidthY() const { return halfWidth(m_syy, m_sy); }

@@ -4,7 +4,6 @@
 #include <mrpt_mapconv/params/Fields.h>
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,15 +26,16 @@ constexpr std::int32_t kMostHypotheses = 64;
 struct TerrainParams
 {
   HeightRule heightRule = HeightRule::Fused;
-  double planeTolerance = 0.03;                    //!< d [m]
-  double planeWindow = 0.2;                        //!< half its side [m]
-  std::int32_t hypotheses = 12;                    //!< K
-  std::int32_t blockCells = 8;                     //!< B
-  std::optional<std::int32_t> minPlaneCells = {};  //!< none: see leastPlaneCells()
-  double maxPlaneSlope = 1.0;                      //!< [m/m]
-  double maxSlope = 0.5;                           //!< [m/m]
-  double maxStep = 0.2;                            //!< [m]
-  double localWindow = 0;                          //!< [m]; 0: none
+  double planeTolerance = 0.03;  //!< d [m]
+  double planeWindow = 0.2;      //!< half its side [m]
+  std::int32_t hypotheses = 12;  //!< K
+  std::int32_t blockCells = 8;   //!< B
+  std::int32_t minPlaneCells = 12;
+  double minPlaneWidth = 0.1;  //!< [m]
+  double maxPlaneSlope = 1.0;  //!< [m/m]
+  double maxSlope = 0.5;       //!< [m/m]
+  double maxStep = 0.2;        //!< [m]
+  double localWindow = 0;      //!< [m]; 0: none
 
   template <class S, class V>
   static void visit(S& p, V&& v)
@@ -51,8 +51,10 @@ struct TerrainParams
     v("hypotheses", p.hypotheses, "", "planes that are tried for a cell", flag("N"));
     v("blockCells", p.blockCells, "cells",
       "after so many cells half of the hypotheses are given up", flag("N"));
-    v("minPlaneCells", p.minPlaneCells, "cells",
-      "a plane has at least so many; auto: 12, and as many as cover 0.02 m2", flag("N"));
+    v("minPlaneCells", p.minPlaneCells, "cells", "a plane has at least so many", flag("N"));
+    v("minPlaneWidth", p.minPlaneWidth, "m",
+      "a plane is wider than this somewhere; what lies between two planes, at an edge, is not",
+      flag("M"));
     v("maxPlaneSlope", p.maxPlaneSlope, "m/m", "steepest plane; what is steeper stays single cells",
       flag("SLOPE"));
     v("maxSlope", p.maxSlope, "m/m", "steepest ground that counts as traversable", flag("SLOPE"));
@@ -62,8 +64,6 @@ struct TerrainParams
     v("localWindow", p.localWindow, "m",
       "side of the square around the robot that is kept; 0: everything is", flag("M"));
   }
-  /** minPlaneCells, or what is right for cells of that size: a plane is at least a foothold. */
-  std::int32_t leastPlaneCells(double resolution) const;
   /** \exception std::invalid_argument naming the parameter, its value and what would be right */
   void check() const;
 };
