@@ -52,23 +52,23 @@ void Extraction::settleBorders(int threads)
   }
 }
 
-void Extraction::follow(std::vector<TileCells> open, int threads)
+void Extraction::follow(OpenCells open, int threads)
 {
   refit();
   if (m_planes.end() > 0)
   {
-    m_borders.absorb(open);
+    m_borders.absorb(open.all);
     refit();
-    open = widened(open);
+    open.seeds = widened(open.seeds);
   }
   for (int round = 0; round < kMostRounds; ++round)
   {
-    m_growth.grow(open, m_planes, threads);
+    m_growth.grow(open.seeds, m_planes, threads);
     settleBorders(threads);
-    open = m_borders.splitAndDissolve();
+    open.seeds = m_borders.splitAndDissolve();
     refit();
-    if (open.empty()) return;
-    m_borders.absorb(open);
+    if (open.seeds.empty()) return;
+    m_borders.absorb(open.seeds);
     refit();
   }
 }

@@ -6,6 +6,13 @@
 
 namespace mrpt_mapconv::terrain
 {
+/** Cells without a plane, of tiles row by row. */
+struct OpenCells
+{
+  std::vector<TileCells> all;    //!< that might join a plane
+  std::vector<TileCells> seeds;  //!< from which new ones are looked for
+};
+
 /** Has planes follow the cells that have changed. */
 class Extraction
 {
@@ -19,9 +26,8 @@ class Extraction
   {
   }
 
-  /** \param open cells that have no plane and might get one, of tiles row by row
-   * \param threads 0 = all cores */
-  void follow(std::vector<TileCells> open, int threads);
+  /** \param threads 0 = all cores */
+  void follow(OpenCells open, int threads);
 
  private:
   void refit() { m_planes.refit(m_search.minCells); }

@@ -83,25 +83,34 @@ class TileLeaves
 
   void emit(std::size_t level, std::size_t x, std::size_t y)
   {
-    if (m_uniform[level][y] >> x & 1u)
-      return add(level, x, y, m_tile.plane[y * kTileSide + x], false);
+    if (m_uniform[level][y] >> x & 1u) return add(level, x, y, m_tile.plane[y * kTileSide + x]);
     if (level == 0)
     {
-      if (m_tile.known[y] >> x & 1u) add(0, x, y, m_tile.height[y * kTileSide + x], true);
+      if (m_tile.known[y] >> x & 1u) add(0, x, y, kNoPlane);
       return;
     }
+    if (!isAnyKnown(level, x, y)) return;
     const std::size_t half = std::size_t{1} << (level - 1);
     for (std::size_t child = 0; child < 4; ++child)
       emit(level - 1, x + (child & 1) * half, y + (child >> 1) * half);
   }
 
-  void add(std::size_t level, std::size_t x, std::size_t y, std::int32_t value, bool own)
+  bool isAnyKnown(std::size_t level, std::size_t x, std::size_t y) const
+  {
+    RowBits any = 0;
+    for (std::size_t row = y; row < y + (std::size_t{1} << level); ++row) any |= m_tile.known[row];
+    return (any >> x & kSides[level]) != 0;
+  }
+
+  void add(std::size_t level, std::size_t x, std::size_t y, std::int32_t plane)
   {
     const auto code = morton(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y));
     m_tile.leaves.push_back(
-        {static_cast<std::uint16_t>(code), static_cast<std::uint8_t>(level), value, own});
+        {static_cast<std::uint16_t>(code), static_cast<std::uint8_t>(level), plane});
   }
 
+  static constexpr std::array<RowBits, kTileBits + 1> kSides{1u,    3u,      15u,
+                                                             0xFFu, 0xFFFFu, 0xFFFFFFFFu};
   static constexpr std::array<RowBits, kTileBits + 1> kCorners{
       0xFFFFFFFFu, 0x55555555u, 0x11111111u, 0x01010101u, 0x00010001u, 1u};
   Tile& m_tile;
@@ -147,7 +156,8 @@ void LeafTree::follow(const TileMap& tiles, int threads)
   std::vector<Tile*> stale;
   for (Tile* tile : tiles.sorted())
     if (tile->isStale) stale.push_back(tile);
-  grid::inParallel(stale.size(), threads,
+  constexpr std::size_t kWorthThreads = 128;  // tiles
+  grid::inParallel(stale.size(), stale.size() < kWorthThreads ? 1 : threads,
                    [&](std::size_t begin, std::size_t end)
                    {
                      for (std::size_t i = begin; i < end; ++i)
@@ -159,7 +169,7 @@ void LeafTree::follow(const TileMap& tiles, int threads)
                    });
   Level level;
   for (const Tile* tile : tiles.sorted())
-    if (isOneSquare(*tile)) level.push_back({codeOfTile(*tile), tile->leaves.front().value});
+    if (isOneSquare(*tile)) level.push_back({codeOfTile(*tile), tile->leaves.front().plane});
   std::sort(level.begin(), level.end(),
             [](const Square& a, const Square& b) { return a.code < b.code; });
   m_levels.clear();
@@ -219,10 +229,11 @@ namespace
 {
 Leaf leafOf(const Tile& tile, const TileLeaf& leaf)
 {
-  const Leaf out{tile.keyX(static_cast<std::int32_t>(gathered(leaf.code))),
-                 tile.keyY(static_cast<std::int32_t>(gathered(leaf.code >> 1u))), leaf.level,
-                 leaf.ownHeight ? kNoPlane : leaf.value, leaf.ownHeight ? leaf.value : 0};
-  return out;
+  const auto x = static_cast<std::int32_t>(gathered(leaf.code)),
+             y = static_cast<std::int32_t>(gathered(leaf.code >> 1u));
+  const bool isPlane = leaf.plane != kNoPlane;
+  return {tile.keyX(x), tile.keyY(y), leaf.level, leaf.plane,
+          isPlane ? 0 : tile.height[Tile::indexOf(x, y)]};
 }
 }  // namespace
 

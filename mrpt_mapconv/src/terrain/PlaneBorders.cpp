@@ -16,6 +16,8 @@ namespace
 constexpr double kTie = 4;
 /** As far as cells give way to another plane at once [cells]. */
 constexpr int kMostLayers = 1000;
+/** Fewer tiles are not worth a second thread. */
+constexpr std::size_t kWorthThreads = 128;
 
 struct Step
 {
@@ -246,7 +248,7 @@ bool PlaneBorders::moveToNearest(const CellRef& cell)
 bool PlaneBorders::relax(const std::vector<Unsettled>& where, int threads)
 {
   std::vector<std::vector<CellRef>> found(where.size());
-  grid::inParallel(where.size(), threads,
+  grid::inParallel(where.size(), where.size() < kWorthThreads ? 1 : threads,
                    [&](std::size_t begin, std::size_t end)
                    {
                      for (std::size_t i = begin; i < end; ++i) findNearer(where[i], found[i]);
@@ -267,6 +269,15 @@ bool PlaneBorders::relax(const std::vector<Unsettled>& where, int threads)
   return any;
 }
 
+/** Where a plane has moved all cells count, else those that have changed and the ones beside. */
+void PlaneBorders::findMeetings(Unsettled& part)
+{
+  const auto unsettled = [](const Tile& tile) -> const TileBits& { return tile.unsettled; };
+  part.meetings = meetingsOf(*part.tile);
+  if (!part.hasMovedPlane && !part.meetings.empty)
+    part.meetings.keepOnly(besideBits(*part.tile, unsettled));
+}
+
 bool PlaneBorders::hasMoved(const PlaneState& state) const
 {
   return differenceOver(state.moments, state.plane, state.settled) > kTie;
@@ -274,10 +285,11 @@ bool PlaneBorders::hasMoved(const PlaneState& state) const
 
 std::vector<PlaneBorders::Unsettled> PlaneBorders::takeUnsettled(int threads)
 {
+  std::vector<Tile*> unsettled;
   for (Tile* tile : m_tiles.sorted())
   {
     if (!tile->isUnsettled) continue;
-    tile->isUnsettled = false;
+    unsettled.push_back(tile);
     for (Tile* near : tile->around)
       if (near) near->isNearUnsettled = true;
   }
@@ -295,12 +307,16 @@ std::vector<PlaneBorders::Unsettled> PlaneBorders::takeUnsettled(int threads)
     parts.push_back({tile, tile->hasMovedPlane});
     tile->isNearUnsettled = tile->hasMovedPlane = false;
   }
-  grid::inParallel(parts.size(), threads,
+  grid::inParallel(parts.size(), parts.size() < kWorthThreads ? 1 : threads,
                    [&](std::size_t begin, std::size_t end)
                    {
-                     for (std::size_t i = begin; i < end; ++i)
-                       parts[i].meetings = meetingsOf(*parts[i].tile);
+                     for (std::size_t i = begin; i < end; ++i) findMeetings(parts[i]);
                    });
+  for (Tile* tile : unsettled)
+  {
+    tile->isUnsettled = false;
+    tile->unsettled = {};
+  }
   return parts;
 }
 

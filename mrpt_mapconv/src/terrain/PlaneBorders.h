@@ -28,7 +28,7 @@ class PlaneBorders
   {
     Tile* tile = nullptr;
     bool hasMovedPlane = false;  //!< a plane of it has other parameters
-    PlaneMeetings meetings{};
+    PlaneMeetings meetings{};    //!< of cells that are looked at
   };
   /** The tiles in which cells were assigned or released since this was asked last, the ones around
    * them, and the ones of planes that have moved; row by row. \param threads 0 = all cores */
@@ -51,6 +51,7 @@ class PlaneBorders
   std::vector<Tile*> tilesOf(std::int32_t id) const;
 
  private:
+  static void findMeetings(Unsettled& part);
   std::int32_t nearest(const CellRef& cell) const;
   void findNearer(const Unsettled& part, std::vector<CellRef>& found) const;
   bool moveToNearest(const CellRef& cell);

@@ -14,7 +14,7 @@ namespace
 // as many seeds as are looked at together, at first and at most
 constexpr std::size_t kFewSeeds = 8, kManySeeds = 8192;
 /** Fewer are not worth a second thread. */
-constexpr std::size_t kWorthThreads = 64;
+constexpr std::size_t kWorthThreads = 512;
 
 /** Goes through seeds in the order of their keys. */
 class SeedOrder

@@ -99,20 +99,21 @@ PlaneMeetings meetingsOf(const Tile& tile)
 
 TileBits freeBesidePlanes(const Tile& tile)
 {
-  TileBits cells{};
-  const Tile *east = tile.neighbour(1, 0), *west = tile.neighbour(-1, 0);
-  for (std::int32_t iy = 0; iy < kTileSide; ++iy)
-  {
-    const auto y = static_cast<std::size_t>(iy);
-    const RowBits open = tile.known[y] & ~tile.assigned[y];
-    if (!open) continue;
-    const RowBits own = tile.assigned[y];
-    RowBits beside = own << 1 | own >> 1 | assignedRow(tile, iy + 1) | assignedRow(tile, iy - 1);
-    if (east) beside |= east->assigned[y] << kTileMask;
-    if (west) beside |= west->assigned[y] >> kTileMask;
-    cells[y] = open & beside;
-  }
+  TileBits cells = besideBits(tile, [](const Tile& t) -> const TileBits& { return t.assigned; });
+  for (std::size_t y = 0; y < kTileSide; ++y) cells[y] &= tile.known[y] & ~tile.assigned[y];
   return cells;
+}
+
+void PlaneMeetings::keepOnly(const TileBits& cells)
+{
+  empty = true;
+  for (std::size_t y = 0; y < kTileSide; ++y)
+  {
+    east[y] &= cells[y];
+    north[y] &= cells[y];
+    any[y] &= cells[y];
+    empty &= any[y] == 0;
+  }
 }
 
 }  // namespace mrpt_mapconv::terrain

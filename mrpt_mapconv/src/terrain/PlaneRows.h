@@ -21,8 +21,31 @@ struct PlaneMeetings
   TileBits any{};            //!< on any of the four sides
 
   bool empty = true;
+
+  void keepOnly(const TileBits& cells);
 };
 PlaneMeetings meetingsOf(const Tile& tile);
+
+/** Those bits of a tile that are set, and the ones beside them on four sides, also of the tiles
+ * around. \param bits of a tile */
+template <class BitsOf>
+TileBits besideBits(const Tile& tile, const BitsOf& bits)
+{
+  TileBits out{};
+  const auto rowOf = [&](std::int32_t dx, std::int32_t iy) -> RowBits
+  {
+    const Tile* there = tile.neighbour(dx, iy >> kTileBits);
+    return there ? bits(*there)[static_cast<std::size_t>(iy & kTileMask)] : 0;
+  };
+  for (std::int32_t iy = 0; iy < kTileSide; ++iy)
+  {
+    const RowBits row = rowOf(0, iy);
+    out[static_cast<std::size_t>(iy)] = row | row << 1 | row >> 1 | rowOf(0, iy - 1) |
+                                        rowOf(0, iy + 1) | rowOf(1, iy) << kTileMask |
+                                        rowOf(-1, iy) >> kTileMask;
+  }
+  return out;
+}
 
 /** The known cells of a tile that have no plane beside one that has. */
 TileBits freeBesidePlanes(const Tile& tile);

@@ -125,6 +125,7 @@ class PlaneSet
     state.hasChanged = true;
     height = z;
     state.moments.add(kx, ky, z);
+    cell.tile->unsettle(cell.index());
     if (distance(cell, id) > tolerance) release(cell);
   }
   /** Vertical difference of a cell to a plane [kHeightUnit]. */

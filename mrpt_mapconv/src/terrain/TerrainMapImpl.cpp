@@ -67,8 +67,8 @@ void TerrainMap::Impl::add(TileCache& cache, PointModel::Batch& batch, std::size
   cells += fresh;
 }
 
-/** Takes the changed cells of a row into account. \return those that have no plane */
-RowBits TerrainMap::Impl::takeRow(Tile& tile, std::int32_t iy)
+/** Takes the changed cells of a row into account. */
+void TerrainMap::Impl::takeRow(Tile& tile, std::int32_t iy)
 {
   const auto y = static_cast<std::size_t>(iy);
   forEachBit(tile.changed[y],
@@ -80,30 +80,49 @@ RowBits TerrainMap::Impl::takeRow(Tile& tile, std::int32_t iy)
                    cell, params.heightRule == HeightRule::Fused ? sums.fusedZ() : sums.highestZ(),
                    search.tolerance);
              });
+  tile.isStale |= (tile.changed[y] & ~tile.known[y]) != 0;
   tile.known[y] |= tile.changed[y];
-  return tile.changed[y] & ~tile.assigned[y];
 }
 
-std::vector<TileCells> TerrainMap::Impl::takeChanges(int)
+/** Those cells of a row from which a plane is looked for: not again and again, but when a cell is
+ * new, and when its points are twice as many. */
+RowBits TerrainMap::Impl::seedsOf(Tile& tile, std::int32_t iy, RowBits open)
 {
-  std::vector<TileCells> open;
+  RowBits seeds = 0;
+  forEachBit(open,
+             [&](std::int32_t ix)
+             {
+               CellSums& sums = tile.sums[Tile::indexOf(ix, iy)];
+               if (sums.points < 2 * std::uint64_t{sums.triedWith}) return;
+               sums.triedWith = sums.points;
+               seeds |= RowBits{1} << ix;
+             });
+  return seeds;
+}
+
+OpenCells TerrainMap::Impl::takeChanges()
+{
+  OpenCells open;
   for (Tile* tile : tiles.sorted())
   {
     if (!tile->hasChanged && !allOpen) continue;
-    TileCells cellsOfTile{tile, {}};
-    RowBits any = 0;
+    TileCells cellsOfTile{tile, {}}, seeds{tile, {}};
+    RowBits anyOpen = 0, anySeed = 0;
     for (std::int32_t iy = 0; iy < kTileSide; ++iy)
     {
       const auto y = static_cast<std::size_t>(iy);
-      RowBits row = tile->changed[y] ? takeRow(*tile, iy) : 0;
-      if (allOpen) row = tile->known[y] & ~tile->assigned[y];
+      if (tile->changed[y]) takeRow(*tile, iy);
+      const RowBits row = (allOpen ? tile->known[y] : tile->changed[y]) & ~tile->assigned[y];
+      if (!row) continue;
       cellsOfTile.bits[y] = row;
-      any |= row;
+      seeds.bits[y] = allOpen ? row : seedsOf(*tile, iy, row);
+      anyOpen |= row;
+      anySeed |= seeds.bits[y];
     }
     tile->changed = {};
     tile->hasChanged = false;
-    tile->isStale = true;
-    if (any) open.push_back(cellsOfTile);
+    if (anyOpen) open.all.push_back(cellsOfTile);
+    if (anySeed) open.seeds.push_back(seeds);
   }
   allOpen = false;
   return open;
@@ -111,7 +130,7 @@ std::vector<TileCells> TerrainMap::Impl::takeChanges(int)
 
 void TerrainMap::Impl::follow(int threads)
 {
-  Extraction(search, tiles, planes).follow(takeChanges(threads), threads);
+  Extraction(search, tiles, planes).follow(takeChanges(), threads);
   tree.follow(tiles, threads);
   listPlanes();
 }

@@ -5,6 +5,7 @@
 #include <array>
 #include <vector>
 
+#include "Extraction.h"
 #include "LeafTree.h"
 #include "PlaneSet.h"
 #include "PointBatch.h"
@@ -86,8 +87,9 @@ class TerrainMap::Impl
   std::optional<KeyWindow> window;
 
  private:
-  std::vector<TileCells> takeChanges(int threads);
-  RowBits takeRow(Tile& tile, std::int32_t iy);
+  OpenCells takeChanges();
+  void takeRow(Tile& tile, std::int32_t iy);
+  static RowBits seedsOf(Tile& tile, std::int32_t iy, RowBits open);
   void forget(Tile& tile, const TileBits& outside);
 };
 

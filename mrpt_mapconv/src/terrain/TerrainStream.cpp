@@ -57,6 +57,7 @@ void passSums(const Each& each, S& sums)
   each(sums.weight);
   each(sums.highest);
   each(sums.points);
+  each(sums.triedWith);
 }
 
 void writePlanes(CArchive& out, const PlaneSet& planes)

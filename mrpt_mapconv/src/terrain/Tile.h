@@ -33,6 +33,7 @@ struct CellSums
   /** z·2³² + w of the highest point, of those the surest. */
   std::int64_t highest = std::numeric_limits<std::int64_t>::min();
   std::uint32_t points = 0;
+  std::uint32_t triedWith = 0;  //!< points that it had when a plane was last looked for from it
 
   /** Sums so large that they might overflow take no more points: what they mean is then known far
    * better than any sensor knows it. */
@@ -71,10 +72,9 @@ struct TilePlane
 /** A leaf within a tile: cells whose Morton code begins as its own does. */
 struct TileLeaf
 {
-  std::uint16_t code = 0;  //!< Morton code of its lower corner in the tile
-  std::uint8_t level = 0;  //!< its side is 2^level cells
-  std::int32_t value = 0;  //!< a plane, or a height where `ownHeight`
-  bool ownHeight = false;
+  std::uint16_t code = 0;         //!< Morton code of its lower corner in the tile
+  std::uint8_t level = 0;         //!< its side is 2^level cells
+  std::int32_t plane = kNoPlane;  //!< none: a cell with a height of its own
 };
 
 struct Tile
@@ -84,7 +84,7 @@ struct Tile
   std::int32_t tx = 0, ty = 0;  //!< key of the tile: that of a cell >> kTileBits
   bool hasChanged = false;      //!< bits of `changed`
   bool isStale = true;          //!< `planes` and `leaves` have yet to follow
-  bool isUnsettled = false;     //!< cells were assigned or released, borders have yet to follow
+  bool isUnsettled = false;     //!< bits of `unsettled`
   bool isNearUnsettled = false, hasMovedPlane = false;  //!< while borders follow
   // of the flood that was here last
   std::uint64_t floodNumber = 0;
@@ -93,9 +93,11 @@ struct Tile
   /** West to east, south to north, this one in the middle; null: no cell is known there. */
   std::array<Tile*, 9> around{};
 
-  TileBits known{};                               //!< cells that have points, as of the last update
-  TileBits changed{};                             //!< cells with points since then
-  TileBits assigned{};                            //!< cells of a plane
+  TileBits known{};     //!< cells that have points, as of the last update
+  TileBits changed{};   //!< cells with points since then
+  TileBits assigned{};  //!< cells of a plane
+  TileBits
+      unsettled{};  //!< cells whose plane or height has changed, which borders have yet to follow
   std::array<std::int32_t, kTileCells> height{};  //!< as of the last update [kHeightUnit]
   std::array<std::int32_t, kTileCells> plane;     //!< kNoPlane where not assigned
   std::array<CellSums, kTileCells> sums{};
@@ -121,13 +123,20 @@ struct Tile
   {
     plane[index] = to;
     assigned[index >> kTileBits] |= RowBits{1} << (index & kTileMask);
-    isStale = isUnsettled = true;
+    isStale = true;
+    unsettle(index);
+  }
+  void unsettle(std::size_t index)
+  {
+    unsettled[index >> kTileBits] |= RowBits{1} << (index & kTileMask);
+    isUnsettled = true;
   }
   void release(std::size_t index)
   {
     plane[index] = kNoPlane;
     assigned[index >> kTileBits] &= ~(RowBits{1} << (index & kTileMask));
-    isStale = isUnsettled = true;
+    isStale = true;
+    unsettle(index);
   }
 };
 
