@@ -12,8 +12,7 @@ namespace mrpt_mapconv::terrain
 {
 namespace
 {
-/** Distances that differ by less are the same: heights are rounded [kHeightUnit]. */
-constexpr double kTie = 4;
+constexpr double kTie = kSameHeight;
 /** As far as cells give way to another plane at once [cells]. */
 constexpr int kMostLayers = 1000;
 /** Fewer tiles are not worth a second thread. */

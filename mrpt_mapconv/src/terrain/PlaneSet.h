@@ -30,6 +30,10 @@ struct TileBox
   }
 };
 
+/** Heights, and distances to planes, that differ by less are the same: they are rounded
+ * [kHeightUnit]. */
+constexpr std::int32_t kSameHeight = 8;
+
 struct PlaneState
 {
   PlaneMoments moments;
@@ -123,9 +127,9 @@ class PlaneSet
     const std::int32_t kx = cell.keyX(), ky = cell.keyY();
     state.moments.remove(kx, ky, height);
     state.hasChanged = true;
+    if (std::abs(std::int64_t{z} - height) > kSameHeight) cell.tile->unsettle(cell.index());
     height = z;
     state.moments.add(kx, ky, z);
-    cell.tile->unsettle(cell.index());
     if (distance(cell, id) > tolerance) release(cell);
   }
   /** Vertical difference of a cell to a plane [kHeightUnit]. */

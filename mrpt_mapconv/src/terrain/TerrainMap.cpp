@@ -54,10 +54,9 @@ void TerrainMap::insertPoint(double x, double y, double z, double sigma)
                   "a standard deviation >= 0 m");
   if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z)) return;
   const PointModel::Place place = PointModel::placeOf(x, y, z, m_impl->resolution);
-  CellSums& sums = m_impl->sumsToChange(
-      m_impl->tiles.get(place.kx >> kTileBits, place.ky >> kTileBits), place.kx, place.ky);
-  m_impl->cells += sums.points == 0;
-  sums.add(place.z, PointModel::weightOf(sigma * sigma));
+  Tile& tile = m_impl->tiles.get(place.kx >> kTileBits, place.ky >> kTileBits);
+  m_impl->add(tile, Tile::indexOf(place.kx & kTileMask, place.ky & kTileMask), place.z,
+              PointModel::weightOf(sigma * sigma));
 }
 
 void TerrainMap::update(int threads) { m_impl->follow(threads); }

@@ -37,34 +37,49 @@ TerrainMap::Impl::Impl(double l, const TerrainParams& p) : resolution(l), params
   search = searchFor(params, resolution);
 }
 
-/** Adds points to their cells: first all cells are found, so that they are on their way from memory
- * when their turn comes. */
-void TerrainMap::Impl::add(TileCache& cache, PointModel::Batch& batch, std::size_t count,
-                           InsertedPoints& result)
+namespace
 {
-  std::array<CellSums*, PointModel::kBatch> sums;
-  std::size_t kept = 0;
+/** The tiles of points, and their cells in them. */
+struct Places
+{
+  std::array<std::int32_t, PointModel::kBatch> tx, ty, at;
+};
+MRPT_MAPCONV_WIDE
+void findPlaces(const PointModel::Batch& batch, std::size_t count, Places& out)
+{
   for (std::size_t i = 0; i < count; ++i)
   {
-    const std::int32_t kx = batch.kx[i], ky = batch.ky[i];
-    const bool isFinite = batch.weight[i] != 0;
-    if (!isFinite || (window && !window->holds(kx, ky)))
-    {
-      ++(isFinite ? result.outside : result.notFinite);
-      continue;
-    }
-    sums[kept] = &sumsToChange(cache.at(kx >> kTileBits, ky >> kTileBits), kx, ky);
-    __builtin_prefetch(sums[kept], 1);
-    batch.z[kept] = batch.z[i];
-    batch.weight[kept++] = batch.weight[i];
+    out.tx[i] = batch.kx[i] >> kTileBits;
+    out.ty[i] = batch.ky[i] >> kTileBits;
+    out.at[i] = (batch.ky[i] & kTileMask) << kTileBits | (batch.kx[i] & kTileMask);
   }
-  std::size_t fresh = 0;
-  for (std::size_t i = 0; i < kept; ++i)
+}
+}  // namespace
+
+/** Adds points to their cells: first all cells are found, so that they are on their way from memory
+ * when their turn comes. */
+void TerrainMap::Impl::add(TileCache& cache, const PointModel::Batch& batch, std::size_t count,
+                           InsertedPoints& result)
+{
+  Places places;
+  findPlaces(batch, count, places);
+  std::array<Tile*, PointModel::kBatch> tileOf;
+  for (std::size_t i = 0; i < count; ++i)
   {
-    fresh += sums[i]->points == 0 ? 1 : 0;
-    sums[i]->add(batch.z[i], static_cast<std::uint32_t>(batch.weight[i]));
+    Tile* tile = nullptr;
+    if (batch.weight[i] == 0)
+      ++result.notFinite;
+    else if (window && !window->holds(batch.kx[i], batch.ky[i]))
+      ++result.outside;
+    else
+      tile = &cache.at(places.tx[i], places.ty[i]);
+    tileOf[i] = tile;
+    if (tile) __builtin_prefetch(&tile->sums[static_cast<std::size_t>(places.at[i])], 1);
   }
-  cells += fresh;
+  for (std::size_t i = 0; i < count; ++i)
+    if (tileOf[i])
+      add(*tileOf[i], static_cast<std::size_t>(places.at[i]), batch.z[i],
+          static_cast<std::uint32_t>(batch.weight[i]));
 }
 
 /** Takes the changed cells of a row into account. */
@@ -75,7 +90,8 @@ void TerrainMap::Impl::takeRow(Tile& tile, std::int32_t iy)
              [&](std::int32_t ix)
              {
                const CellRef cell{&tile, ix, iy};
-               const CellSums& sums = tile.sums[cell.index()];
+               CellSums& sums = tile.sums[cell.index()];
+               sums.isMarked = 0;
                planes.setHeight(
                    cell, params.heightRule == HeightRule::Fused ? sums.fusedZ() : sums.highestZ(),
                    search.tolerance);
@@ -88,13 +104,14 @@ void TerrainMap::Impl::takeRow(Tile& tile, std::int32_t iy)
  * new, and when its points are twice as many. */
 RowBits TerrainMap::Impl::seedsOf(Tile& tile, std::int32_t iy, RowBits open)
 {
+  constexpr std::uint32_t kMostTried = 0x7FFFFFFFu;  // it has 31 bits
   RowBits seeds = 0;
   forEachBit(open,
              [&](std::int32_t ix)
              {
                CellSums& sums = tile.sums[Tile::indexOf(ix, iy)];
                if (sums.points < 2 * std::uint64_t{sums.triedWith}) return;
-               sums.triedWith = sums.points;
+               sums.triedWith = std::min(sums.points, kMostTried) & kMostTried;
                seeds |= RowBits{1} << ix;
              });
   return seeds;

@@ -21,8 +21,10 @@ class TileCache
   explicit TileCache(TileMap& tiles) : m_tiles(tiles) {}
   Tile& at(std::int32_t tx, std::int32_t ty)
   {
+    if (m_last.tile && m_last.tx == tx && m_last.ty == ty) return *m_last.tile;
     Entry& entry = m_entries[static_cast<std::size_t>((tx & 15) | (ty & 15) << 4)];
     if (!entry.tile || entry.tx != tx || entry.ty != ty) entry = {tx, ty, &m_tiles.get(tx, ty)};
+    m_last = entry;
     return *entry.tile;
   }
 
@@ -33,6 +35,7 @@ class TileCache
     Tile* tile = nullptr;
   };
   TileMap& m_tiles;
+  Entry m_last;
   std::array<Entry, 256> m_entries{};
 };
 
@@ -51,15 +54,19 @@ class TerrainMap::Impl
  public:
   Impl(double l, const TerrainParams& p);
 
-  /** The sums of a cell that gets a point. */
-  static CellSums& sumsToChange(Tile& tile, std::int32_t kx, std::int32_t ky)
+  /** Adds a point to a cell. */
+  void add(Tile& tile, std::size_t at, std::int32_t z, std::uint32_t weight)
   {
-    const std::int32_t ix = kx & kTileMask, iy = ky & kTileMask;
-    tile.changed[static_cast<std::size_t>(iy)] |= RowBits{1} << ix;
+    CellSums& sums = tile.sums[at];
+    sums.add(z, weight);
+    if (sums.isMarked) return;
+    sums.isMarked = 1;
+    cells += sums.points == 1 ? 1 : 0;
+    tile.changed[at >> kTileBits] |= RowBits{1} << (at & kTileMask);
     tile.hasChanged = true;
-    return tile.sums[Tile::indexOf(ix, iy)];
   }
-  void add(TileCache& cache, PointModel::Batch& batch, std::size_t count, InsertedPoints& result);
+  void add(TileCache& cache, const PointModel::Batch& batch, std::size_t count,
+           InsertedPoints& result);
   void moveWindow(double x, double y);
   void follow(int threads);
   void forgetPlanes();

@@ -57,7 +57,6 @@ void passSums(const Each& each, S& sums)
   each(sums.weight);
   each(sums.highest);
   each(sums.points);
-  each(sums.triedWith);
 }
 
 void writePlanes(CArchive& out, const PlaneSet& planes)
@@ -105,6 +104,7 @@ void writeTile(CArchive& out, const Tile& tile)
                {
                  const std::size_t index = Tile::indexOf(ix, iy);
                  passSums([&out](const auto& value) { out << value; }, tile.sums[index]);
+                 out << static_cast<std::uint32_t>(tile.sums[index].triedWith);
                  out << tile.height[index] << tile.plane[index];
                });
   }
@@ -114,8 +114,11 @@ void readCell(CArchive& in, Tile& tile, std::int32_t ix, std::int32_t iy, PlaneS
 {
   const std::size_t index = Tile::indexOf(ix, iy);
   std::int32_t plane = kNoPlane;
+  std::uint32_t triedWith = 0;
   passSums([&in](auto& value) { in >> value; }, tile.sums[index]);
-  in >> tile.height[index] >> plane;
+  in >> triedWith >> tile.height[index] >> plane;
+  tile.sums[index].triedWith = triedWith & 0x7FFFFFFFu;
+  tile.sums[index].isMarked = tile.changed[static_cast<std::size_t>(iy)] >> ix & 1u;
   if (tile.sums[index].points == 0) refuse("holds a cell without points");
   if (plane == kNoPlane) return;
   if (plane < 0 || plane >= planes.end() || !planes.at(plane).isAlive || !tile.isKnown(ix, iy))

@@ -33,7 +33,10 @@ struct CellSums
   /** z·2³² + w of the highest point, of those the surest. */
   std::int64_t highest = std::numeric_limits<std::int64_t>::min();
   std::uint32_t points = 0;
-  std::uint32_t triedWith = 0;  //!< points that it had when a plane was last looked for from it
+  std::uint32_t triedWith : 31;  //!< points that it had when a plane was last looked for from it
+  std::uint32_t isMarked : 1;    //!< its bit of Tile::changed is set
+
+  CellSums() : triedWith(0), isMarked(0) {}
 
   /** Sums so large that they might overflow take no more points: what they mean is then known far
    * better than any sensor knows it. */
