@@ -6,8 +6,9 @@ namespace mrpt_mapconv::terrain
 {
 namespace
 {
-// Planes that are right are settled after one or two; noise could go on for ever.
-constexpr int kMostRounds = 4, kMostSweeps = 8;
+// Planes that are right are settled after one or two; of noise some cells could go to and fro for
+// ever.
+constexpr int kMostRounds = 2, kMostSweeps = 8;
 
 /** These cells and their 8 neighbours, of which some may have found no plane before. */
 std::vector<TileCells> widened(const std::vector<TileCells>& cells)
@@ -71,6 +72,7 @@ void Extraction::follow(OpenCells open, int threads)
     m_borders.absorb(open.seeds);
     refit();
   }
+  m_borders.takeUnsettled(threads);  // what two planes pull at both is left where it is
 }
 
 }  // namespace mrpt_mapconv::terrain
