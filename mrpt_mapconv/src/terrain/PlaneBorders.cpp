@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 #include <unordered_map>
+#include <utility>
 
 #include "PlaneRows.h"
 
@@ -13,6 +14,8 @@ namespace
 {
 /** Distances that differ by less are the same: heights are rounded [kHeightUnit]. */
 constexpr double kTie = 4;
+/** As far as cells give way to another plane at once [cells]. */
+constexpr int kMostLayers = 1000;
 
 struct Step
 {
@@ -203,27 +206,44 @@ bool PlaneBorders::merge(const std::vector<Tile*>& where)
   return any;
 }
 
+bool PlaneBorders::moveToNearest(const CellRef& cell)
+{
+  if (!cell || !cell.tile->isKnown(cell.ix, cell.iy)) return false;
+  const std::int32_t own = cell.tile->plane[cell.index()], best = nearest(cell);
+  if (best == own) return false;
+  if (own != kNoPlane) m_planes.release(cell);
+  m_planes.assign(cell, best);
+  return true;
+}
+
 std::vector<Tile*> PlaneBorders::relax(const std::vector<Tile*>& where)
 {
   std::vector<Tile*> moved;
+  std::vector<CellRef> cells;
+  const auto move = [&](const CellRef& cell)
+  {
+    if (!moveToNearest(cell)) return;
+    cells.push_back(cell);
+    if (moved.empty() || moved.back() != cell.tile) moved.push_back(cell.tile);
+  };
   for (Tile* tile : where)
   {
-    bool any = false;
     const TileBits border = borderOf(*tile);
     for (std::int32_t iy = 0; iy < kTileSide; ++iy)
-      forEachBit(border[static_cast<std::size_t>(iy)] & tile->known[static_cast<std::size_t>(iy)],
-                 [&](std::int32_t ix)
-                 {
-                   const CellRef cell{tile, ix, iy};
-                   const std::int32_t own = tile->plane[cell.index()], best = nearest(cell);
-                   if (best == own) return;
-                   if (own != kNoPlane) m_planes.release(cell);
-                   m_planes.assign(cell, best);
-                   any = true;
+      forEachBit(border[static_cast<std::size_t>(iy)],
+                 [&](std::int32_t ix) {
+                   move({tile, ix, iy});
                  });
-    if (any) moved.push_back(tile);
   }
-  return moved;
+  // each layer lets the next one move; ties could go round in circles
+  for (int layer = 0; layer < kMostLayers && !cells.empty(); ++layer)
+  {
+    const std::vector<CellRef> last = std::exchange(cells, {});
+    for (const CellRef& cell : last)
+      for (const Step& step : kNeighbours)
+        move(cellAt(*cell.tile, cell.ix + step.x, cell.iy + step.y));
+  }
+  return sortedUnique(std::move(moved));
 }
 
 bool PlaneBorders::hasMoved(const PlaneState& state) const

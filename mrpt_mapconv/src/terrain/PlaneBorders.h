@@ -26,7 +26,8 @@ class PlaneBorders
    * \return whether any did */
   bool merge(const std::vector<Tile*>& where);
 
-  /** Gives cells at a border to the plane that is nearer; of equally near ones to the less steep.
+  /** Gives cells at a border to the plane that is nearer; of equally near ones to the less steep;
+   * and so on behind cells that have moved.
    * \return the tiles in which any cell changed its plane */
   std::vector<Tile*> relax(const std::vector<Tile*>& where);
 
@@ -42,6 +43,7 @@ class PlaneBorders
 
  private:
   std::int32_t nearest(const CellRef& cell) const;
+  bool moveToNearest(const CellRef& cell);
   bool prefers(std::int32_t a, std::int32_t b) const;
   bool agree(std::int32_t a, std::int32_t b) const;
   bool hasMoved(const PlaneState& state) const;
