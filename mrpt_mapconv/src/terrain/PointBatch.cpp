@@ -115,7 +115,7 @@ void requireInRange(const mrpt::math::TPoint3D& p, double resolution)
   const double most = kMostKey * resolution;
   if (std::abs(p.x) < most && std::abs(p.y) < most && std::abs(p.z) < kMostHeight) return;
   throw std::runtime_error(mrpt::format(
-      "terrain: a point at (%.1f, %.1f, %.1f) m lies beyond the map's range, +-%.0f m across and "
+      "terrain: a place at (%.1f, %.1f, %.1f) m lies beyond the map's range, +-%.0f m across and "
       "+-%.0f m in height: move the poses nearer to the origin",
       p.x, p.y, p.z, most, kMostHeight));
 }
@@ -205,6 +205,8 @@ std::uint32_t PointModel::weightOf(double variance)
 
 void PointModel::checkRange() const
 {
+  const auto& robot = m_scan.robotPose;
+  requireInRange({robot.x(), robot.y(), robot.z()}, m_c.resolution);
   const auto most = [this](const float* v)
   { return static_cast<double>(largest(v, m_scan.points, m_scan.stride)); };
   const double reach = std::hypot(most(m_scan.x), most(m_scan.y), most(m_scan.z));
