@@ -23,7 +23,10 @@ void makeKnown(TileMap& tiles, const Keys& keys)
   }
 }
 
-RowBits known(const Tile& tile, std::int32_t iy) { return tile.known[static_cast<std::size_t>(iy)]; }
+RowBits known(const Tile& tile, std::int32_t iy)
+{
+  return tile.known[static_cast<std::size_t>(iy)];
+}
 
 Keys reached(const Flood& flood)
 {
@@ -115,8 +118,7 @@ TEST(FilledRow, IsWhatIsConnectedInARow)
     const auto within = static_cast<RowBits>(random() | (i % 2 ? random() : 0u));
     const RowBits seeds = static_cast<RowBits>(random() & random()) & within;
     RowBits wanted = seeds;
-    for (int step = 0; step < kTileSide; ++step)
-      wanted |= (wanted << 1 | wanted >> 1) & within;
+    for (int step = 0; step < kTileSide; ++step) wanted |= (wanted << 1 | wanted >> 1) & within;
     EXPECT_EQ(filledRow(seeds, within), wanted);
   }
 }

@@ -5,8 +5,8 @@
 #include <set>
 #include <tuple>
 
-#include "../oracle/TerrainOracle.h"
 #include "HandTerrain.h"
+#include "oracle/TerrainOracle.h"
 
 namespace
 {
@@ -20,18 +20,20 @@ std::vector<TerrainLeaf> allLeaves(const TerrainMap& map)
   return map.leavesIn(-1e9, -1e9, 1e9, 1e9);
 }
 
+int below(std::mt19937& random, unsigned end) { return static_cast<int>(random() % end); }
+
 /** Patches of two heights with rubble and holes. */
 TerrainMap patchy(unsigned seed)
 {
   std::mt19937 random(seed);
   TerrainMap map(kCell);
-  const int x0 = static_cast<int>(random() % 200) - 100, y0 = static_cast<int>(random() % 200) - 100;
+  const int x0 = below(random, 200) - 100, y0 = below(random, 200) - 100;
   for (int y = y0; y < y0 + 110; ++y)
     for (int x = x0; x < x0 + 130; ++x)
     {
-      if (random() % 200 == 0) continue;
+      if (below(random, 200) == 0) continue;
       const bool isHigh = x > x0 + 70 && y > y0 + 20;
-      put(map, x, y, random() % 300 == 0 ? 5 + 0.1 * (random() % 9) : isHigh ? 0.5 : 0);
+      put(map, x, y, below(random, 300) == 0 ? 5 + 0.1 * below(random, 9) : isHigh ? 0.5 : 0);
     }
   map.update();
   return map;
@@ -138,9 +140,9 @@ TEST(Leaves, InABoxAreThoseThatReachIntoIt)
   const auto frame = map.frame();
   for (int i = 0; i < 200; ++i)
   {
-    const double x = frame.xMin() - 1 + 0.01 * (random() % 1000),
-                 y = frame.yMin() - 1 + 0.01 * (random() % 900),
-                 width = 0.01 * (random() % 300), height = 0.01 * (random() % 300);
+    const double x = frame.xMin() - 1 + 0.01 * below(random, 1000),
+                 y = frame.yMin() - 1 + 0.01 * below(random, 900),
+                 width = 0.01 * below(random, 300), height = 0.01 * below(random, 300);
     std::vector<std::tuple<int, int, int>> wanted, found;
     for (const TerrainLeaf& leaf : all)
       if (leaf.x <= map.keyOf(x + width) && leaf.x + leaf.side > map.keyOf(x) &&
@@ -171,9 +173,9 @@ TEST(Leaves, AnswersAtAPlaceAreThoseOfTheLeafThere)
       ASSERT_TRUE(point);
       EXPECT_EQ(point->leafSide, leaf.side);
       EXPECT_EQ(point->plane, leaf.plane);
-      const double wanted =
-          leaf.plane < 0 ? leaf.height
-                         : map.planes()[static_cast<std::size_t>(leaf.plane)].heightAt(x, y);
+      const double wanted = leaf.plane < 0
+                                ? leaf.height
+                                : map.planes()[static_cast<std::size_t>(leaf.plane)].heightAt(x, y);
       EXPECT_DOUBLE_EQ(point->height, wanted);
     }
 }
