@@ -102,6 +102,7 @@ void TerrainCells::insert(const terrain::TerrainScan& scan, const terrain::Point
       cell.highest = z;
       cell.highestVariance = variance;
     }
+    cell.lowest = cell.points == 0 ? z : std::min(cell.lowest, z);
     ++cell.points;
     cell.weight += 1 / variance;
     cell.weightedHeight += z / variance;

@@ -23,6 +23,7 @@ class TerrainCells
     std::uint64_t points = 0;
     double weight = 0, weightedHeight = 0;    //!< Σ 1/σ², Σ z/σ²
     double highest = 0, highestVariance = 0;  //!< of the highest point, of those the surest
+    double lowest = 0;
     double fused() const { return weightedHeight / weight; }
   };
 

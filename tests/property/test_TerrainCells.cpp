@@ -1,5 +1,6 @@
 // Points in cells: random poses, scans and covariances, against each point on its own.
 #include <gtest/gtest.h>
+#include <mrpt_mapconv/terrain/PlaneFit.h>
 
 #include <cmath>
 #include <string>
@@ -84,10 +85,12 @@ void expectCells(const TerrainMap& map, const oracle::TerrainCells& wanted)
     const auto found = map.cell(key.second, key.first);
     ASSERT_TRUE(found);
     EXPECT_EQ(found->points, cell.points);
-    EXPECT_NEAR(found->height, isFused ? cell.fused() : cell.highest, 1e-4);
     const double weight = isFused ? cell.weight : 1 / cell.highestVariance;
-    const auto points = isFused ? static_cast<double>(cell.points) : 1;
-    EXPECT_NEAR(1 / found->variance, weight, points * 0.5 / 16 + 1e-4 * weight);
+    const double rounding = (isFused ? static_cast<double>(cell.points) : 1) * 0.5 / 16,
+                 weightError = rounding + 1e-4 * weight;
+    EXPECT_NEAR(1 / found->variance, weight, weightError);
+    EXPECT_NEAR(found->height, isFused ? cell.fused() : cell.highest,
+                terrain::kHeightUnit + (cell.highest - cell.lowest) * weightError / weight);
   }
 }
 
