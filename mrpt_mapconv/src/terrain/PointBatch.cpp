@@ -130,7 +130,7 @@ void requireInRange(const mrpt::math::TPoint3D& p, double resolution)
   const double most = kMostKey * resolution;
   if (std::abs(p.x) < most && std::abs(p.y) < most && std::abs(p.z) < kMostHeight) return;
   throw std::runtime_error(mrpt::format(
-      "terrain: a point at (%.1f, %.1f, %.1f) m lies beyond the map's range, +-%.0f m across and "
+      "terrain: a place at (%.1f, %.1f, %.1f) m lies beyond the map's range, +-%.0f m across and "
       "+-%.0f m in height: move the poses nearer to the origin",
       p.x, p.y, p.z, most, kMostHeight));
 }
@@ -222,6 +222,8 @@ double PointModel::mostOf(const float* v) const
 
 void PointModel::checkRange() const
 {
+  const auto& robot = m_scan.robotPose;
+  requireInRange({robot.x(), robot.y(), robot.z()}, m_c.resolution);
   const double reach = std::hypot(mostOf(m_scan.x), mostOf(m_scan.y), mostOf(m_scan.z));
   const double across = std::max(std::abs(m_c.shift[0]), std::abs(m_c.shift[1]));
   if (across + reach < kMostKey * m_c.resolution && std::abs(m_c.shift[2]) + reach < kMostHeight)

@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <iterator>
 #include <map>
 
 #include "PlaneRows.h"
@@ -17,7 +19,7 @@ std::int32_t mostGap(double resolution)
   return std::clamp(static_cast<std::int32_t>(std::ceil(kMixed / resolution)), 2, kTileSide - 1);
 }
 
-/** Where two planes meet, from all pairs of cells that face each other. */
+/** Where two planes meet, from pairs of cells that face each other. */
 struct Meeting
 {
   double rise = 0;                    //!< Σ of the second plane's height above the first's [m]
@@ -25,8 +27,36 @@ struct Meeting
   double towardsX = 0, towardsY = 0;  //!< Σ of directions from the first to the second
   double gap = 0;                     //!< Σ of the cells between them
   std::size_t pairs = 0;
+
+  double length() const { return std::hypot(towardsX, towardsY); }
+  void add(const Meeting& o)
+  {
+    rise += o.rise;
+    x += o.x;
+    y += o.y;
+    towardsX += o.towardsX;
+    towardsY += o.towardsY;
+    gap += o.gap;
+    pairs += o.pairs;
+  }
 };
-using Meetings = std::map<std::pair<std::int32_t, std::int32_t>, Meeting>;
+/** By the direction from the first plane to the second: east, west, north, south. */
+using Sides = std::array<Meeting, 4>;
+using Meetings = std::map<std::pair<std::int32_t, std::int32_t>, Sides>;
+
+/** One, along which two planes meet; or, if they meet all around as a platform and its floor do,
+ * one for each side. */
+std::vector<Meeting> meetingsOf(const Sides& sides)
+{
+  Meeting all;
+  for (const Meeting& side : sides) all.add(side);
+  // 0.7 or more along a straight line in any direction
+  if (all.length() >= 0.5 * static_cast<double>(all.pairs)) return {all};
+  std::vector<Meeting> meetings;
+  std::copy_if(sides.begin(), sides.end(), std::back_inserter(meetings),
+               [](const Meeting& side) { return side.pairs > 0; });
+  return meetings;
+}
 
 /** The first plane beyond a cell in a direction, at most `gap` cells without a plane away. */
 CellRef facing(const CellRef& from, std::int32_t dx, std::int32_t dy, std::int32_t gap)
@@ -51,20 +81,17 @@ void addMeetings(Tile& tile, const TerrainMap& map, const std::vector<std::int32
     const std::int32_t a = indices[static_cast<std::size_t>(tile.plane[cell.index()])],
                        b = indices[static_cast<std::size_t>(other.tile->plane[other.index()])];
     if (a == b) return;
-    const double sign = a < b ? 1 : -1;
+    const std::int32_t sign = a < b ? 1 : -1;
     const double x = 0.5 * map.resolution() * (cell.keyX() + other.keyX()),
                  y = 0.5 * map.resolution() * (cell.keyY() + other.keyY());
     const auto height = [&](std::int32_t plane)
     { return map.planes()[static_cast<std::size_t>(plane)].heightAt(x, y); };
-    Meeting& meeting = meetings[{std::min(a, b), std::max(a, b)}];
-    meeting.rise += height(std::max(a, b)) - height(std::min(a, b));
-    meeting.x += x;
-    meeting.y += y;
-    meeting.towardsX += sign * dx;
-    meeting.towardsY += sign * dy;
-    meeting.gap +=
+    const auto gap =
         std::max(std::abs(other.keyX() - cell.keyX()), std::abs(other.keyY() - cell.keyY())) - 1;
-    ++meeting.pairs;
+    const std::size_t side = (dx != 0 ? 0u : 2u) + (sign > 0 ? 0u : 1u);
+    meetings[{std::min(a, b), std::max(a, b)}][side].add(
+        {height(std::max(a, b)) - height(std::min(a, b)), x, y, static_cast<double>(sign * dx),
+         static_cast<double>(sign * dy), static_cast<double>(gap), 1});
   };
   for (std::int32_t iy = 0; iy < kTileSide; ++iy)
   {
@@ -120,12 +147,12 @@ std::vector<TerrainStep> TerrainMap::steps() const
   const double size = resolution();
   std::vector<TerrainStep> steps;
   std::vector<double> gaps;
-  for (const auto& [planes, meeting] : meetings)
+  const auto addStep =
+      [&](const std::pair<std::int32_t, std::int32_t>& planes, const Meeting& meeting)
   {
     const auto n = static_cast<double>(meeting.pairs);
-    const double rise = meeting.rise / n;
-    const double length = std::hypot(meeting.towardsX, meeting.towardsY);
-    if (std::abs(rise) <= m_impl->params.planeTolerance || length == 0) continue;
+    const double rise = meeting.rise / n, length = meeting.length();
+    if (std::abs(rise) <= m_impl->params.planeTolerance) return;
     const double sign = rise > 0 ? 1 : -1;
     TerrainStep step;
     step.lower = rise > 0 ? planes.first : planes.second;
@@ -140,7 +167,9 @@ std::vector<TerrainStep> TerrainMap::steps() const
                          step.directionY, size);
     steps.push_back(step);
     gaps.push_back(meeting.gap / n * size);
-  }
+  };
+  for (const auto& [planes, sides] : meetings)
+    for (const Meeting& meeting : meetingsOf(sides)) addStep(planes, meeting);
   // half of the cells between two planes belongs to each
   std::vector<double> more(steps.size(), 0);
   for (std::size_t i = 0; i < steps.size(); ++i)
@@ -156,9 +185,9 @@ std::vector<TerrainStep> TerrainMap::steps() const
       }
   }
   for (std::size_t i = 0; i < steps.size(); ++i) steps[i].depth += more[i];
-  std::sort(steps.begin(), steps.end(),
-            [](const TerrainStep& a, const TerrainStep& b)
-            { return std::tie(a.lower, a.upper) < std::tie(b.lower, b.upper); });
+  std::stable_sort(steps.begin(), steps.end(),
+                   [](const TerrainStep& a, const TerrainStep& b)
+                   { return std::tie(a.lower, a.upper) < std::tie(b.lower, b.upper); });
   return steps;
 }
 

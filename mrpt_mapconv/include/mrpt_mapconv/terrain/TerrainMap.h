@@ -157,7 +157,8 @@ class TerrainMap
   /** The leaves that reach into a rectangle [m], in the order of the quadtree. */
   std::vector<TerrainLeaf> leavesIn(double xMin, double yMin, double xMax, double yMax) const;
   /** Steps between neighbouring planes that differ in height by more than planeTolerance where they
-   * meet, ordered by their planes. */
+   * meet, ordered by their planes. Planes that meet all around, as a platform and its floor, have
+   * one for each side. */
   std::vector<TerrainStep> steps() const;
 
   /** All layers on a frame that holds frame(). */
