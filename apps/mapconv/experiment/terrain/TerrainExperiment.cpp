@@ -42,18 +42,18 @@ void addReal(const TerrainExperimentSettings& settings, Progress& progress, Repo
 const PerTerrainHeights<std::string>& heightsNames()
 {
   static const PerTerrainHeights<std::string> names = {
-      "ours, fused", "ours, maximum", "elevation map, fused", "elevation map, not fused"};
+      "ours (fused)", "ours (maximum)", "elevation map (fused)", "elevation map (not fused)"};
   return names;
 }
 
 const PerTerrainMethod<std::string>& methodNames()
 {
-  static const PerTerrainMethod<std::string> names = {"ours, fused",
-                                                      "ours, maximum",
-                                                      "ours, fused, 2 threads",
-                                                      "ours, maximum, 2 threads",
-                                                      "elevation map, fused",
-                                                      "elevation map, not fused",
+  static const PerTerrainMethod<std::string> names = {"ours (fused)",
+                                                      "ours (maximum)",
+                                                      "ours (fused) on 2 threads",
+                                                      "ours (maximum) on 2 threads",
+                                                      "elevation map (fused)",
+                                                      "elevation map (not fused)",
                                                       "CHeightGridMap2D",
                                                       "octomap"};
   return names;

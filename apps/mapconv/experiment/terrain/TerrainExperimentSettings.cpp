@@ -73,6 +73,7 @@ std::vector<std::string> readRun(const ExperimentJob& job, TerrainExperimentSett
   readAtLeast(section, "repetitions", 1, settings.repetitions);
   readAtLeast(section, "maxScans", 0, settings.maxScans);
   section.read("octoMapFrom", settings.octoMapFrom);
+  readAtLeast(section, "octoMapEvery", 1, settings.octoMapEvery);
   section.read("judgedSteps", settings.judgedSteps);
   section.read("pictured", settings.pictured);
   section.read("overlap", settings.overlap);

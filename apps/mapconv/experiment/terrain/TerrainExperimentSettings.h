@@ -52,6 +52,7 @@ struct TerrainExperimentSettings
   int repetitions = 1;            //!< of what is timed, of which the shortest counts
   int maxScans = 0;               //!< of a walk; 0: all
   double octoMapFrom = 0.05;      //!< finest resolution that octomaps are made at [m]
+  int octoMapEvery = 1;           //!< every how manyth scan they get
   double judgedSteps = 0.02;      //!< coarsest resolution at which stairs have targets [m]
   double pictured = 0.02;         //!< resolution of pictures [m]
   std::size_t largestPlanes = 6;  //!< of a world, whose residuals are shown

@@ -19,6 +19,8 @@ struct NoiseErrors
   double noise = 0;  //!< times the world's
   /** In cells that all maps know, away from jumps and within a cell of them. */
   PerTerrainHeights<mrpt_mapconv::eval::ErrorSummary> clear, apart;
+  /** In those that no noise of ranges reaches across a jump. */
+  PerTerrainHeights<mrpt_mapconv::eval::ErrorSummary> far;
 };
 
 /** A true step, and the one that a map has for it. */

@@ -45,13 +45,12 @@ void addRow(const std::string& world, const std::string& flight, double resoluti
             Table& table)
 {
   const FlightFigures figures = figuresOf(steps, flight);
-  table.addRow(
-      {world, flight, metres(resolution), rule,
-       std::to_string(figures.found) + " of " + std::to_string(figures.steps),
-       millimetres(figures.worstHeight),
-       target(figures, figures.worstHeight, kMostHeightError, "all, within 5 mm", isJudged),
-       millimetres(figures.worstDepth),
-       target(figures, figures.worstDepth, resolution, "all, within a cell", isJudged)});
+  table.addRow({world, flight, metres(resolution), rule,
+                std::to_string(figures.found) + " of " + std::to_string(figures.steps),
+                millimetres(figures.worstHeight),
+                target(figures, figures.worstHeight, kMostHeightError, "all within 5 mm", isJudged),
+                millimetres(figures.worstDepth),
+                target(figures, figures.worstDepth, resolution, "all within a cell", isJudged)});
 }
 
 Table flightTable(const TerrainResults& results, const TerrainExperimentSettings& settings)
@@ -83,7 +82,7 @@ Table stepTable(const TerrainResults& results, const TerrainExperimentSettings& 
 {
   Table table{"steps",
               "Each step at L = " + metres(settings.pictured) + " m, fused heights, metres",
-              {"world", "flight", "at", "true height", "height", "error [mm]", "true depth",
+              {"world", "flight", "at [m]", "true height", "height", "error [mm]", "true depth",
                "depth", "error [mm]"},
               {}};
   for (const TerrainWorldResult& result : results)
@@ -93,7 +92,7 @@ Table stepTable(const TerrainResults& results, const TerrainExperimentSettings& 
       for (const JudgedStep& step : run.fused.steps)
       {
         std::vector<std::string> row = {result.world.name, step.flight,
-                                        fixed(step.truth.x, 2) + ", " + fixed(step.truth.y, 2)};
+                                        fixed(step.truth.x, 2) + " " + fixed(step.truth.y, 2)};
         const auto add = [&](double truth, double found)
         {
           row.push_back(fixed(truth, 3));

@@ -46,7 +46,10 @@ Table timeTable(const TerrainResults& results, const TerrainExperimentSettings& 
       "elevation map all of whose cells are fused after each scan, as ANYbotics' node does. "
       "MRPT's grid has its size from the start, averages heights and knows no variances; octomaps "
       "stand in for Voxblox. Where no threads are named there is one. Points are in memory, in the "
-      "sensor's frame; those of octomaps in the map's.";
+      "sensor's frame; those of octomaps in the map's. " +
+      (settings.octoMapEvery > 1 ? "Octomaps got one of " + std::to_string(settings.octoMapEvery) +
+                                       " scans, and their time is multiplied by that."
+                                 : "");
   return table;
 }
 
