@@ -147,5 +147,5 @@ TEST(TerrainExperiment, BadFilesAreNamed)
   EXPECT_TRUE(contains(error("world = stairs", "world = cave"), "section 'flight.a': world"));
   EXPECT_TRUE(contains(error("1.2 0.8  3.4 0.8", "1.2 0.8 1.2 0.8"), "section 'flight.a': line"));
   EXPECT_TRUE(contains(error("[real]", "[reel]"), "section 'reel'"));
-  EXPECT_TRUE(contains(error("maxHeight    = 1 ", "maxRange = -1 "), "section 'real': maxRange"));
+  EXPECT_TRUE(contains(error("staticSensor = true", "maxRange = -1"), "section 'real': maxRange"));
 }

@@ -169,9 +169,9 @@ void addRealScans(const std::vector<RealTerrain>& runs, Report& report)
                   std::to_string(run.cells) + " cells in " + std::to_string(run.leaves) +
                   " leaves, " + std::to_string(run.planes) + " planes. ";
   table.note +=
-      "There is no truth: cells are those of the largest planes of our map with fused heights. "
-      "Each map's heights, ours those of cells before planes replace them, are compared with the "
-      "least-squares plane through themselves.";
+      "There is no truth: cells are those of the largest planes of our map with fused heights, "
+      "which by this lie near a plane there. Each map's heights, ours those of cells before planes "
+      "replace them, are compared with the least-squares plane through themselves.";
   report.addHeading("Real scans");
   report.addTable(table);
 }
