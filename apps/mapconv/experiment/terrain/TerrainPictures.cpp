@@ -69,7 +69,7 @@ void addHistograms(const TerrainResults& results, Report& report)
 {
   std::ostringstream script;
   script << "set grid\nset xlabel 'map minus truth [mm]'\nset ylabel 'cells [%]'\n"
-         << "set xrange [-40:40]\nset logscale y\nset multiplot layout 1," << results.size()
+         << "set xrange [-40:40]\nset logscale y\nset key outside bottom center vertical\nset multiplot layout 1," << results.size()
          << "\n";
   for (std::size_t w = 0; w < results.size(); ++w)
     for (const TerrainRun& run : results[w].runs)
@@ -84,7 +84,7 @@ void addHistograms(const TerrainResults& results, Report& report)
     }
   script << "unset multiplot\n";
   report.addPlot("height_errors", "Errors of heights away from jumps, logarithmic scale",
-                 script.str(), 1500, 500);
+                 script.str(), 1500, 600);
 }
 
 /** Along a line, what a layer has in the cells under it: way and value, by gnuplot's `times`. */
