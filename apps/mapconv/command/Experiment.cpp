@@ -34,7 +34,8 @@ struct ExperimentKind
 const std::vector<ExperimentKind>& kinds()
 {
   static const std::vector<ExperimentKind> all = {{"freespace", runFreespaceExperiment},
-                                                  {"scanShape", runScanShapeExperiment}};
+                                                  {"scanShape", runScanShapeExperiment},
+                                                  {"terrain", runTerrainExperiment}};
   return all;
 }
 

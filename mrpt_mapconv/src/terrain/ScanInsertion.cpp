@@ -57,9 +57,8 @@ grid::GridFrame frameOf(const UsedPoints& points, const TerrainMap& map)
   return frame;
 }
 
-InsertedPoints insertScan(TerrainMap& map, const observation::SensorPoints& scan,
-                          const UsedPoints& points, const PointSigmas& sigmas,
-                          const mrpt::math::CMatrixDouble33& poseCovariance)
+TerrainScan terrainScan(const observation::SensorPoints& scan, const UsedPoints& points,
+                        const mrpt::math::CMatrixDouble33& poseCovariance)
 {
   static_assert(sizeof(mrpt::math::TPoint3Df) == 3 * sizeof(float));
   TerrainScan out;
@@ -75,7 +74,14 @@ InsertedPoints insertScan(TerrainMap& map, const observation::SensorPoints& scan
   out.sensorPose = scan.sensorPose;
   out.robotPose = scan.robotPose;
   out.poseCovariance = poseCovariance;
-  return map.insert(out, sigmas);
+  return out;
+}
+
+InsertedPoints insertScan(TerrainMap& map, const observation::SensorPoints& scan,
+                          const UsedPoints& points, const PointSigmas& sigmas,
+                          const mrpt::math::CMatrixDouble33& poseCovariance)
+{
+  return map.insert(terrainScan(scan, points, poseCovariance), sigmas);
 }
 
 }  // namespace mrpt_mapconv::terrain

@@ -5,68 +5,14 @@
 #include <fstream>
 #include <sstream>
 
-#include "Program.h"
-#include "support/TempDir.h"
+#include "ExperimentFiles.h"
 
 using namespace mrpt_mapconv::testing;
 
 namespace
 {
-const std::string kConfig = std::string(MRPT_MAPCONV_SOURCE_DIR) + "/config/";
 const std::string kIni = kConfig + "experiments/freespace.ini";
 const std::string kScanShapeIni = kConfig + "experiments/scan_shape.ini";
-
-/** Rows of a CSV file without quoted cells. */
-std::vector<std::vector<std::string>> rowsOf(const std::string& path)
-{
-  std::ifstream in(path);
-  EXPECT_TRUE(in) << path;
-  std::vector<std::vector<std::string>> rows;
-  for (std::string line; std::getline(in, line);)
-  {
-    std::istringstream cells(line);
-    rows.emplace_back();
-    for (std::string cell; std::getline(cells, cell, ',');) rows.back().push_back(cell);
-  }
-  return rows;
-}
-
-using Row = std::vector<std::string>;
-
-/** The first row that begins with some cells. */
-Row rowWith(const std::vector<Row>& rows, const Row& begin)
-{
-  for (const Row& row : rows)
-    if (row.size() >= begin.size() && std::equal(begin.begin(), begin.end(), row.begin()))
-      return row;
-  ADD_FAILURE() << "no row begins with " << begin.front();
-  return {};
-}
-
-double number(const Row& row, std::size_t column) { return std::stod(row.at(column)); }
-
-/** A file's only error, for which it must be refused. */
-std::string experimentError(const TempDir& dir, const std::string& text)
-{
-  std::ofstream(dir.path("e.ini")) << text;
-  const Outcome outcome = mapconv({"experiment", dir.path("e.ini"), "-o", dir.path("out")});
-  EXPECT_EQ(1, outcome.status);
-  EXPECT_TRUE(isOneError(outcome.err)) << outcome.err;
-  EXPECT_TRUE(contains(outcome.err, "e.ini")) << outcome.err;
-  EXPECT_FALSE(std::filesystem::exists(dir.path("out")));
-  return outcome.err;
-}
-
-/** Text with the first `from` replaced, which must be there. */
-std::string replaced(std::string text, const std::string& from, const std::string& to)
-{
-  const auto at = text.find(from);
-  if (at == std::string::npos)
-    ADD_FAILURE() << "no " << from;
-  else
-    text.replace(at, from.size(), to);
-  return text;
-}
 }  // namespace
 
 TEST(Experiment, FreespaceWritesTablesPlotsAndPictures)
@@ -151,7 +97,7 @@ TEST(Experiment, BadFilesAreNamed)
   const TempDir dir;
   const auto error = [&](const std::string& text) { return experimentError(dir, text); };
   EXPECT_TRUE(contains(error(""), "kind"));
-  EXPECT_TRUE(contains(error(""), "freespace | scanShape"));
+  EXPECT_TRUE(contains(error(""), "freespace | scanShape | terrain"));
   EXPECT_TRUE(contains(error("[experiment]\nkind = cooking\n"), "cooking"));
   EXPECT_TRUE(contains(error("[experiment]\nkind = freespace\n"), "worlds"));
   EXPECT_TRUE(contains(error("[experiment]\nkind = freespace\nworlds = a\n"), "'a'"));

@@ -28,6 +28,11 @@ UsedPoints usedPoints(const observation::SensorPoints& scan, const PointLimits& 
  * \exception std::runtime_error naming the place if it is too far away for keys */
 grid::GridFrame frameOf(const UsedPoints& points, const TerrainMap& map);
 
+/** Those points as what a map gets; they must outlive it.
+ * \param poseCovariance of the robot's z [m], roll and pitch [rad], in this order */
+TerrainScan terrainScan(const observation::SensorPoints& scan, const UsedPoints& points,
+                        const mrpt::math::CMatrixDouble33& poseCovariance);
+
 /** Adds those points of a scan to a map; its planes follow at TerrainMap::update().
  * \param poseCovariance of the robot's z [m], roll and pitch [rad], in this order
  * \exception std::exception as TerrainMap::insert() */

@@ -1,0 +1,120 @@
+#include <mrpt_mapconv/eval/TrueSteps.h>
+#include <mrpt_mapconv/params/Require.h>
+
+#include <algorithm>
+#include <cstddef>
+
+namespace mrpt_mapconv::eval
+{
+using mrpt::math::TPoint2D;
+
+namespace
+{
+constexpr double kSpacing = 1e-3;  // [m]
+constexpr double kExact = 1e-7;    // [m]
+
+/** The ground along a line. */
+class Profile
+{
+ public:
+  Profile(const sim::World& world, const TPoint2D& from, const TPoint2D& to)
+      : m_world(world), m_from(from), m_length((to - from).norm()), m_along((to - from) / m_length)
+  {
+  }
+  double length() const { return m_length; }
+  const TPoint2D& along() const { return m_along; }
+  TPoint2D at(double way) const { return m_from + m_along * way; }
+  /** \return the world's lower bound without a solid */
+  double height(double way)
+  {
+    m_world.solidsAt(at(way).x, at(way).y, m_solids);
+    return m_solids.empty() ? m_world.min().z : m_solids.front().top;
+  }
+
+ private:
+  const sim::World& m_world;
+  TPoint2D m_from;
+  double m_length;
+  TPoint2D m_along;
+  std::vector<sim::Solid> m_solids;
+};
+
+struct Jump
+{
+  double way = 0;   //!< from the line's start [m]
+  double rise = 0;  //!< along the line [m]
+};
+
+/** Halves a stretch with a jump until it is exact. */
+Jump located(Profile& profile, double begin, double end)
+{
+  double low = profile.height(begin), high = profile.height(end);
+  while (end - begin > kExact)
+  {
+    const double middle = 0.5 * (begin + end), height = profile.height(middle);
+    const bool isBefore = std::abs(height - low) < std::abs(high - height);
+    (isBefore ? begin : end) = middle;
+    (isBefore ? low : high) = height;
+  }
+  return {0.5 * (begin + end), high - low};
+}
+
+std::vector<Jump> jumpsOf(Profile& profile, double jump)
+{
+  std::vector<Jump> jumps;
+  const auto pieces = static_cast<std::size_t>(std::ceil(profile.length() / kSpacing));
+  const auto way = [&](std::size_t i)
+  { return profile.length() * static_cast<double>(i) / static_cast<double>(pieces); };
+  double height = profile.height(0);
+  for (std::size_t i = 1; i <= pieces; ++i)
+  {
+    const double next = profile.height(way(i));
+    if (std::abs(next - height) > jump) jumps.push_back(located(profile, way(i - 1), way(i)));
+    height = next;
+  }
+  return jumps;
+}
+}  // namespace
+
+std::vector<TrueStep> trueSteps(const sim::World& world, const TPoint2D& from, const TPoint2D& to,
+                                double jump)
+{
+  params::require(jump > 0, "jump", jump, "a height > 0 m");
+  params::require((to - from).norm() > 0, "length of the line", (to - from).norm(), "> 0 m");
+  Profile profile(world, from, to);
+  const std::vector<Jump> jumps = jumpsOf(profile, jump);
+  std::vector<TrueStep> steps;
+  for (std::size_t i = 0; i < jumps.size(); ++i)
+  {
+    const bool isUp = jumps[i].rise > 0;
+    const TPoint2D place = profile.at(jumps[i].way), up = profile.along() * (isUp ? 1.0 : -1.0);
+    TrueStep step{place.x, place.y, up.x, up.y, std::abs(jumps[i].rise), NAN};
+    if (isUp && i + 1 < jumps.size()) step.depth = jumps[i + 1].way - jumps[i].way;
+    if (!isUp && i > 0) step.depth = jumps[i].way - jumps[i - 1].way;
+    steps.push_back(step);
+  }
+  return steps;
+}
+
+std::optional<terrain::TerrainStep> stepFor(const TrueStep& truth,
+                                            const std::vector<terrain::TerrainStep>& steps,
+                                            double reach)
+{
+  constexpr double kLeastCosine = 0.9;
+  std::optional<terrain::TerrainStep> nearest;
+  double least = reach;
+  for (const terrain::TerrainStep& step : steps)
+  {
+    const double x = step.x - truth.x, y = step.y - truth.y;
+    const double along = std::abs(x * truth.directionX + y * truth.directionY),
+                 across = std::abs(x * truth.directionY - y * truth.directionX);
+    if (step.directionX * truth.directionX + step.directionY * truth.directionY < kLeastCosine ||
+        across > step.width / 2 + reach || along > least)
+      continue;
+    least = along;
+    nearest = step;
+  }
+  return nearest;
+}
+
+}  // namespace mrpt_mapconv::eval
