@@ -67,11 +67,9 @@ void addCounts(const TerrainCounts& counts, JsonObject& json)
 void writeTerrainScene(const std::string& path, const terrain::TerrainMap& map,
                        const terrain::TerrainLayers& layers)
 {
-  const double below = grid::heightBelow(layers.height);
   auto objects = mrpt::opengl::CSetOfObjects::Create();
   terrain::drawLeaves(map, layers.plane, {}, *objects);
-  grid::drawOccupancy(layers.traversability, below, false, *objects);
-  mrpt::opengl::COpenGLScene scene = sceneWith(objects, layers.height.frame(), below);
+  auto scene = sceneWith(objects, layers.height.frame(), grid::heightBelow(layers.height));
   terrain::drawLegend(map, *scene.getViewport());
   files::writeObject(path, scene);
 }

@@ -147,8 +147,8 @@ std::string CTerrainGridMap2D::asString() const
 
 void CTerrainGridMap2D::drawLayers(mrpt::opengl::CSetOfObjects& scene) const
 {
-  grid::drawOccupancy(m_layers.traversability, grid::heightBelow(m_layers.height),
-                      !renderingOptions.showLeaves, scene);
+  if (!renderingOptions.showLeaves)
+    grid::drawOccupancy(m_layers.traversability, grid::heightBelow(m_layers.height), true, scene);
   terrain::drawLeaves(m_terrain, m_layers.plane, renderingOptions, scene);
 }
 
