@@ -130,7 +130,7 @@ maps::SelfDescription CTerrainGridMap2D::describe() const
     all.lines.emplace_back(name, std::to_string(count));
     all.values.emplace_back(name, static_cast<std::int32_t>(count));
   };
-  add("cells", m_terrain.cells());
+  add("knownCells", m_terrain.cells());
   add("leaves", m_terrain.leaves());
   add("planes", m_terrain.planes().size());
   add("steps", m_terrain.steps().size());
