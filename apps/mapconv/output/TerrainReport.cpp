@@ -24,13 +24,16 @@ TerrainCounts countsOf(const terrain::TerrainMap& map, const terrain::TerrainLay
   counts.planes = map.planes().size();
   for (const auto& plane : map.planes())
     counts.cellsInPlanes += static_cast<std::size_t>(plane.cells);
-  counts.smallestLeaf = std::numeric_limits<double>::infinity();
+  long smallest = std::numeric_limits<long>::max(), largest = 0;  // in cells: floats are not exact
   for (const float side : layers.leafSide.cells())
     if (std::isfinite(side))
     {
-      counts.smallestLeaf = std::min(counts.smallestLeaf, static_cast<double>(side));
-      counts.largestLeaf = std::max(counts.largestLeaf, static_cast<double>(side));
+      const long cells = std::lround(static_cast<double>(side) / map.resolution());
+      smallest = std::min(smallest, cells);
+      largest = std::max(largest, cells);
     }
+  counts.smallestLeaf = static_cast<double>(smallest) * map.resolution();
+  counts.largestLeaf = static_cast<double>(largest) * map.resolution();
   const auto steps = map.steps();
   counts.steps = steps.size();
   for (const auto& step : steps)
@@ -67,11 +70,9 @@ void addCounts(const TerrainCounts& counts, JsonObject& json)
 void writeTerrainScene(const std::string& path, const terrain::TerrainMap& map,
                        const terrain::TerrainLayers& layers)
 {
-  const double below = grid::heightBelow(layers.height);
   auto objects = mrpt::opengl::CSetOfObjects::Create();
   terrain::drawLeaves(map, layers.plane, {}, *objects);
-  grid::drawOccupancy(layers.traversability, below, false, *objects);
-  mrpt::opengl::COpenGLScene scene = sceneWith(objects, layers.height.frame(), below);
+  auto scene = sceneWith(objects, layers.height.frame(), grid::heightBelow(layers.height));
   terrain::drawLegend(map, *scene.getViewport());
   files::writeObject(path, scene);
 }

@@ -24,7 +24,7 @@ TerrainCounts countsOf(const mrpt_mapconv::terrain::TerrainMap& map,
 std::string countsText(const TerrainCounts& counts);
 void addCounts(const TerrainCounts& counts, JsonObject& json);
 
-/** Writes a `.3Dscene`: leaves coloured by plane, the traversability below, a legend and a
+/** Writes a `.3Dscene`: leaves coloured by plane, a legend and a
  * reference grid. Made of MRPT's own objects, so SceneViewer3D opens it without this library.
  * \exception std::runtime_error naming the file and the reason if it cannot be written */
 void writeTerrainScene(const std::string& path, const mrpt_mapconv::terrain::TerrainMap& map,

@@ -130,7 +130,7 @@ maps::SelfDescription CTerrainGridMap2D::describe() const
     all.lines.emplace_back(name, std::to_string(count));
     all.values.emplace_back(name, static_cast<std::int32_t>(count));
   };
-  add("cells", m_terrain.cells());
+  add("knownCells", m_terrain.cells());
   add("leaves", m_terrain.leaves());
   add("planes", m_terrain.planes().size());
   add("steps", m_terrain.steps().size());
@@ -147,8 +147,8 @@ std::string CTerrainGridMap2D::asString() const
 
 void CTerrainGridMap2D::drawLayers(mrpt::opengl::CSetOfObjects& scene) const
 {
-  grid::drawOccupancy(m_layers.traversability, grid::heightBelow(m_layers.height),
-                      !renderingOptions.showLeaves, scene);
+  if (!renderingOptions.showLeaves)
+    grid::drawOccupancy(m_layers.traversability, grid::heightBelow(m_layers.height), true, scene);
   terrain::drawLeaves(m_terrain, m_layers.plane, renderingOptions, scene);
 }
 

@@ -44,9 +44,10 @@ void addSquare(const Corners& corners, const mrpt::img::TColor& color, CSetOfTri
   }
 }
 
-/** A bit above their leaf, which would hide them. */
-void addOutline(Corners corners, double above, mrpt::opengl::CSetOfLines& out)
+/** Above their leaf, as far as viewers with coarse depths need to tell them apart. */
+void addOutline(Corners corners, double cellSize, mrpt::opengl::CSetOfLines& out)
 {
+  const double above = 0.2 * cellSize;
   for (TPoint3D& corner : corners) corner.z += above;
   for (std::size_t i = 0; i < corners.size(); ++i)
     out.appendLine(corners[i], corners[(i + 1) % corners.size()]);
@@ -102,7 +103,7 @@ void drawLeaves(const TerrainMap& map, const grid::Layer<float>& planes,
       continue;
     }
     addSquare(corners, colors.of(leaf.plane), *inPlanes);
-    if (options.showOutlines) addOutline(corners, 0.05 * map.resolution(), *outlines);
+    if (options.showOutlines) addOutline(corners, map.resolution(), *outlines);
   }
   if (!inPlanes->getTrianglesCount() && !cells->getTrianglesCount()) return;
   if (options.showLeaves)

@@ -16,6 +16,7 @@ namespace
 {
 const std::string kVelodyne = MRPT_MAPCONV_SHARED_DIR "/vlp16_3scans.rawlog";
 const std::string kStreams = MRPT_MAPCONV_SOURCE_DIR "/tests/stored_streams/v0.1/";
+const std::string kNewStreams = MRPT_MAPCONV_SOURCE_DIR "/tests/stored_streams/v0.3/";
 const std::vector<std::string> kSlice{"--structure", "1", "2"};
 
 std::vector<std::string> operator+(std::vector<std::string> words,
@@ -145,6 +146,7 @@ TEST_F(GoldenJson, infoOfMaps)
   expectJson("info_gridmap", {"info", maps + "/ground.gridmap"});
   expectJson("info_freespace", {"info", kStreams + "freespace_scans.bin"});
   expectJson("info_scanshape", {"info", kStreams + "scanshape_scans.bin"});
+  expectJson("info_terrain", {"info", kNewStreams + "terrain_scans.bin"});
 }
 
 TEST_F(GoldenJson, infoOfLogs)

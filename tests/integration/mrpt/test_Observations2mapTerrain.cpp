@@ -97,7 +97,7 @@ TEST(Observations2mapTerrain, KnowsNothingOfOurMapWithoutThePlugin)
 TEST(Observations2mapTerrain, SaysWhichIniValueIsWrong)
 {
   const TempDir dir;
-  EXPECT_NE(build(dir, iniWith(dir, "hypotheses     = 16", "hypotheses     = many")), 0);
+  EXPECT_NE(build(dir, iniWith(dir, "hypotheses     = 12", "hypotheses     = many")), 0);
   const auto said = readBytes(dir.file("log"));
   EXPECT_TRUE(contains(said, "section 'MappingApplication_terrainGrid_00_terrainOpts'")) << said;
   EXPECT_TRUE(contains(said, "hypotheses = 'many'")) << said;

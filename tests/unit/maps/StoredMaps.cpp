@@ -120,6 +120,8 @@ const std::vector<StoredStream>& storedStreams()
       {"freespace_scans.bin", [] { return shared(storedFreeSpaceMap()); }},
       {"scanshape_empty.bin", [] { return std::make_shared<CScanShapeGridMap2D>(); }},
       {"scanshape_scans.bin", [] { return shared(storedScanShapeMap()); }},
+      {"terrain_empty.bin", [] { return std::make_shared<CTerrainGridMap2D>(); }},
+      {"terrain_scans.bin", [] { return shared(storedTerrainMap()); }},
       {"multimetric.bin", []
        {
          auto both = std::make_shared<mrpt::maps::CMultiMetricMap>();

@@ -3,6 +3,7 @@
 #include <mrpt/maps/CMultiMetricMap.h>
 #include <mrpt_mapconv/maps/CFreeSpaceGridMap2D.h>
 #include <mrpt_mapconv/maps/CScanShapeGridMap2D.h>
+#include <mrpt_mapconv/maps/CTerrainGridMap2D.h>
 
 #include <functional>
 #include <memory>
@@ -24,6 +25,10 @@ CFreeSpaceGridMap2D storedFreeSpaceMap();
  * (0, 6); (−6, 0). */
 CScanShapeGridMap2D storedScanShapeMap();
 
+/** Two scans in cells of 0.25 m, from a sensor at (0, 0, 1) on a robot at x = 0 and 0.25, of 8 x 4
+ * points in the middle of cells, those of the farther four columns 0.5 m higher. */
+CTerrainGridMap2D storedTerrainMap();
+
 /** A file of tests/stored_streams, and how its object is made. */
 struct StoredStream
 {
@@ -37,6 +42,8 @@ void expectStoredFreeSpaceOptions(const CFreeSpaceGridMap2D& map);
 void expectStoredFreeSpaceCells(const CFreeSpaceGridMap2D& map);
 void expectStoredScanShapeOptions(const CScanShapeGridMap2D& map);
 void expectStoredScanShapeCells(const CScanShapeGridMap2D& map);
+void expectStoredTerrainOptions(const CTerrainGridMap2D& map);
+void expectStoredTerrainCells(const CTerrainGridMap2D& map);
 
 /** Gives every option of MRPT's own grid a value that is not its default … */
 void setGridOptions(mrpt::maps::COccupancyGridMap2D& map);

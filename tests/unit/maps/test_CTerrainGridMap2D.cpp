@@ -279,7 +279,7 @@ TEST(CTerrainGridMap2D, DescribesItselfInNumbersAndLayers)
   EXPECT_EQ(std::count(text.lines.begin(), text.lines.end(), steps), 1);
   const std::pair<std::string, std::string> layer{"height", "Height [m]"};
   EXPECT_EQ(std::count(text.lines.begin(), text.lines.end(), layer), 1);
-  EXPECT_EQ(text.values.at(0).first, "cells");
+  EXPECT_EQ(text.values.at(0).first, "knownCells");
   EXPECT_EQ(std::get<std::int32_t>(text.values.at(0).second),
             static_cast<std::int32_t>(map.terrain().cells()));
   EXPECT_NE(map.asString().find("2 planes"), std::string::npos);

@@ -139,7 +139,7 @@ TEST(CTerrainGridMap2D_io, AnEmptyMapIsSavedAsItsGrid)
   EXPECT_FALSE(std::filesystem::exists(dir.file("m_layers.tif")));
 }
 
-TEST(CTerrainGridMap2D_io, IsDrawnAsLeavesAboveItsGrid)
+TEST(CTerrainGridMap2D_io, IsDrawnAsLeavesOrAsItsGrid)
 {
   auto map = stepMap();
   const auto names = [&map]
@@ -150,9 +150,9 @@ TEST(CTerrainGridMap2D_io, IsDrawnAsLeavesAboveItsGrid)
     for (const auto& object : scene) all.insert(object->getName());
     return all;
   };
-  EXPECT_EQ(names(), (std::set<std::string>{"occupancy", "planes", "cells", "outlines"}));
+  EXPECT_EQ(names(), (std::set<std::string>{"planes", "cells", "outlines"}));
   map.renderingOptions.showOutlines = false;
-  EXPECT_EQ(names(), (std::set<std::string>{"occupancy", "planes", "cells"}));
+  EXPECT_EQ(names(), (std::set<std::string>{"planes", "cells"}));
   map.renderingOptions.showLeaves = false;
   EXPECT_EQ(names(), (std::set<std::string>{"occupancy"}));
   map.genericMapParams.enableSaveAs3DObject = false;

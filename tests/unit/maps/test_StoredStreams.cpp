@@ -68,6 +68,8 @@ void expectSameBytes(const std::string& expected, const std::string& actual,
                                   << std::distance(expected.begin(), different) << " on";
 }
 
+bool hasTerrain(const std::string& folder) { return folder.find("v0.1") == std::string::npos; }
+
 /** The bytes of MRPT's own parts, a grid and its options, are MRPT's to change. */
 bool bytesAreMrpt258s() { return MRPT_VERSION == 0x258; }
 }  // namespace
@@ -187,4 +189,34 @@ TEST_P(StoredVersion, AMultiMetricMapHasBoth)
   expectStoredFreeSpaceCells(*freeSpace);
   expectStoredScanShapeOptions(*scanShape);
   expectStoredScanShapeCells(*scanShape);
+}
+
+/** Versions before 0.3 knew no terrain maps. */
+TEST_P(StoredVersion, AnEmptyTerrainMapHasTheDefaults)
+{
+  if (!hasTerrain(GetParam())) GTEST_SKIP() << GetParam() << " is older than terrain maps";
+  const auto map = loadAs<CTerrainGridMap2D>(GetParam() + "terrain_empty.bin");
+  ASSERT_TRUE(map);
+  EXPECT_TRUE(map->isEmpty());
+  EXPECT_EQ(0.05, map->cellSize());
+  EXPECT_EQ(1e8, map->maxGridCells);
+  EXPECT_EQ(30, map->terrainInsertionOptions.limits.maxRange);
+  EXPECT_EQ(-100, map->terrainInsertionOptions.limits.minHeight);
+  EXPECT_EQ(2, map->terrainInsertionOptions.limits.maxHeight);
+  EXPECT_EQ(0.02, map->terrainInsertionOptions.sigmas.range);
+  EXPECT_EQ(terrain::HeightRule::Fused, map->terrain().params().heightRule);
+  EXPECT_EQ(0.03, map->terrain().params().planeTolerance);
+  EXPECT_EQ(0.2, map->terrain().params().maxStep);
+  EXPECT_EQ(0, map->terrain().params().localWindow);
+  EXPECT_TRUE(map->renderingOptions.showLeaves);
+  EXPECT_TRUE(map->renderingOptions.showOutlines);
+}
+
+TEST_P(StoredVersion, ATerrainMapHasItsOptionsAndCells)
+{
+  if (!hasTerrain(GetParam())) GTEST_SKIP() << GetParam() << " is older than terrain maps";
+  const auto map = loadAs<CTerrainGridMap2D>(GetParam() + "terrain_scans.bin");
+  ASSERT_TRUE(map);
+  expectStoredTerrainOptions(*map);
+  expectStoredTerrainCells(*map);
 }

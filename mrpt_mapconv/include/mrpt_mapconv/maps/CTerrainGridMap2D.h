@@ -53,7 +53,7 @@ class CTerrainGridMap2D : public maps::LayerGridMap2D, public mrpt::maps::CHeigh
 
   /** How scans go into the cells. Takes effect with the next insertion. */
   terrain::TTerrainInsertionOptions terrainInsertionOptions;
-  /** What getVisualizationInto() shows above the occupancy grid. */
+  /** What getVisualizationInto() shows; without leaves it is the occupancy grid. */
   terrain::TTerrainSceneOptions renderingOptions;
   /** A scan that would need layers of more cells is refused by an exception. */
   double maxGridCells = terrain::TerrainGridParams().maxGridCells;

@@ -106,7 +106,8 @@ struct TTerrainSceneOptions
   template <class S, class V>
   static void visit(S& o, V&& v)
   {
-    v("showLeaves", o.showLeaves, "", "draw the leaves, coloured by their planes");
+    v("showLeaves", o.showLeaves, "",
+      "draw the leaves, coloured by their planes, instead of the occupancy grid");
     v("showOutlines", o.showOutlines, "", "draw the edges of the leaves that lie in planes");
   }
 };
