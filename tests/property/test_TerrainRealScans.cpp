@@ -18,7 +18,7 @@ const std::string kLog = std::string(MRPT_MAPCONV_SHARED_DIR) + "/vlp16_3scans.r
 
 void insertScans(TerrainMap& map)
 {
-  for (const auto& [observation, pose] : observation::readRawlog(kLog, {true}))
+  for (const auto& [observation, pose, covariance] : observation::readRawlog(kLog, {true}))
   {
     const auto seen = observation::sensorPoints(*observation, pose);
     ASSERT_TRUE(seen);

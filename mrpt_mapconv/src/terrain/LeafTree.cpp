@@ -145,10 +145,6 @@ void listPlanes(Tile& tile)
     }
 }
 
-bool isOneSquare(const Tile& tile)
-{
-  return tile.leaves.size() == 1 && tile.leaves.front().level == kTileBits;
-}
 }  // namespace
 
 void LeafTree::follow(const TileMap& tiles, int threads)
@@ -225,9 +221,7 @@ Leaf LeafTree::squareAt(const Tile& tile) const
   return {key(gathered(code)), key(gathered(code >> 1)), shift, square->plane, 0};
 }
 
-namespace
-{
-Leaf leafOf(const Tile& tile, const TileLeaf& leaf)
+Leaf LeafTree::leafOf(const Tile& tile, const TileLeaf& leaf)
 {
   const auto x = static_cast<std::int32_t>(gathered(leaf.code)),
              y = static_cast<std::int32_t>(gathered(leaf.code >> 1u));
@@ -235,7 +229,6 @@ Leaf leafOf(const Tile& tile, const TileLeaf& leaf)
   return {tile.keyX(x), tile.keyY(y), leaf.level, leaf.plane,
           isPlane ? 0 : tile.height[Tile::indexOf(x, y)]};
 }
-}  // namespace
 
 Leaf LeafTree::at(const CellRef& cell) const
 {
@@ -265,10 +258,7 @@ std::vector<Leaf> LeafTree::within(const TileMap& tiles, std::int32_t xMin, std:
     if (tile->keyX(0) > xMax || tile->keyY(0) > yMax || tile->keyX(kTileMask) < xMin ||
         tile->keyY(kTileMask) < yMin)
       continue;
-    if (isOneSquare(*tile))
-      add(squareAt(*tile));
-    else
-      for (const TileLeaf& leaf : tile->leaves) add(leafOf(*tile, leaf));
+    forEachOf(*tile, add);
   }
   std::sort(leaves.begin(), leaves.end(),
             [](const Leaf& a, const Leaf& b) { return codeOf(a) < codeOf(b); });

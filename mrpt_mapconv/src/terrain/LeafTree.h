@@ -33,6 +33,13 @@ class LeafTree
   /** The leaves that reach into a rectangle of keys, by their Morton codes. */
   std::vector<Leaf> within(const TileMap& tiles, std::int32_t xMin, std::int32_t yMin,
                            std::int32_t xMax, std::int32_t yMax) const;
+  /** The leaves of a tile; one that is larger than the tile is given whole. */
+  template <class Visit>
+  void forEachOf(const Tile& tile, const Visit& visit) const
+  {
+    if (isOneSquare(tile)) return visit(squareAt(tile));
+    for (const TileLeaf& leaf : tile.leaves) visit(leafOf(tile, leaf));
+  }
   std::size_t memory() const;
 
  private:
@@ -44,6 +51,11 @@ class LeafTree
   using Level = std::vector<Square>;
 
   const Square* find(std::size_t level, std::uint64_t code) const;
+  static bool isOneSquare(const Tile& tile)
+  {
+    return tile.leaves.size() == 1 && tile.leaves.front().level == kTileBits;
+  }
+  static Leaf leafOf(const Tile& tile, const TileLeaf& leaf);
   Leaf squareAt(const Tile& tile) const;
 
   std::vector<Level> m_levels;  //!< of sides 2^kTileBits, 2^(kTileBits+1), …

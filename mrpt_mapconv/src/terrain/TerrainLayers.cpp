@@ -1,9 +1,9 @@
-#include <mrpt_mapconv/grid/OccupancyCell.h>
-
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "TerrainMapImpl.h"
+#include "Traversability.h"
 
 namespace mrpt_mapconv::terrain
 {
@@ -11,31 +11,55 @@ namespace
 {
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 
-/** Occupied if the ground is too steep, or a neighbour too high or too low. */
-grid::Layer<float> traversabilityOf(const TerrainLayers& layers, const TerrainParams& params)
+/** What is the same in all cells of a leaf. */
+struct LeafValues
 {
-  const grid::GridFrame& frame = layers.height.frame();
-  grid::Layer<float> out(frame, grid::kUnknown);
-  const auto isStep = [&](std::int32_t x, std::int32_t y, float height)
-  {
-    for (std::int32_t ny = std::max(0, y - 1); ny <= std::min(frame.height - 1, y + 1); ++ny)
-      for (std::int32_t nx = std::max(0, x - 1); nx <= std::min(frame.width - 1, x + 1); ++nx)
-        if (std::fabs(static_cast<double>(layers.height.at(nx, ny)) - static_cast<double>(height)) >
-            params.maxStep)
-          return true;
-    return false;
-  };
-  for (std::int32_t y = 0; y < frame.height; ++y)
-    for (std::int32_t x = 0; x < frame.width; ++x)
-    {
-      const float height = layers.height.at(x, y);
-      if (std::isnan(height)) continue;
-      const bool isSteep = static_cast<double>(layers.slope.at(x, y)) > params.maxSlope;
-      out.at(x, y) = isSteep || isStep(x, y, height) ? 1.0f : grid::kFree;
-    }
-  return out;
+  float side, sigma, plane, slope;
+};
+
+void fillCell(TerrainLayers& layers, std::size_t at, double height, const LeafValues& values)
+{
+  layers.height.cells()[at] = static_cast<float>(height);
+  layers.leafSide.cells()[at] = values.side;
+  layers.sigma.cells()[at] = values.sigma;
+  layers.plane.cells()[at] = values.plane;
+  layers.slope.cells()[at] = values.slope;
+}
+
+/** The cells of a leaf that lie in a tile. */
+template <class Visit>
+void forEachCell(const Leaf& leaf, const Tile& tile, const Visit& visit)
+{
+  const std::int32_t side = std::min(std::int32_t{1} << std::min(leaf.level, kTileBits), kTileSide);
+  const std::int32_t x = leaf.level > kTileBits ? tile.keyX(0) : leaf.x,
+                     y = leaf.level > kTileBits ? tile.keyY(0) : leaf.y;
+  for (std::int32_t ky = y; ky < y + side; ++ky)
+    for (std::int32_t kx = x; kx < x + side; ++kx) visit(kx, ky);
 }
 }  // namespace
+
+/** Fills the cells of a leaf in a tile. */
+void TerrainMap::Impl::fillLeaf(const Leaf& leaf, const Tile& tile, TerrainLayers& layers) const
+{
+  const grid::GridFrame& frame = layers.height.frame();
+  LeafValues values{static_cast<float>(resolution * (1 << leaf.level)), kNaN, kNaN, kNaN};
+  const std::int32_t index = indexOf(leaf.plane);
+  if (index == kNoPlane)
+  {
+    const CellSums& sums = tile.sums[Tile::indexOf(leaf.x & kTileMask, leaf.y & kTileMask)];
+    values.sigma = static_cast<float>(std::sqrt(varianceOf(sums)));
+    return fillCell(layers, frame.indexOfKey(leaf.x, leaf.y), kHeightUnit * leaf.height, values);
+  }
+  const TerrainPlane& plane = list[static_cast<std::size_t>(index)];
+  values.sigma = static_cast<float>(plane.rms);
+  values.plane = static_cast<float>(index);
+  values.slope = static_cast<float>(plane.slope());
+  const Plane& exact = planes.at(leaf.plane).plane;
+  forEachCell(leaf, tile,
+              [&](std::int32_t kx, std::int32_t ky) {
+                fillCell(layers, frame.indexOfKey(kx, ky), kHeightUnit * exact.at(kx, ky), values);
+              });
+}
 
 TerrainLayers TerrainMap::layers() const
 {
@@ -45,26 +69,7 @@ TerrainLayers TerrainMap::layers() const
        {&layers.height, &layers.sigma, &layers.plane, &layers.leafSide, &layers.slope})
     *layer = grid::Layer<float>(all, kNaN);
   for (const Tile* tile : m_impl->tiles.sorted())
-    for (std::int32_t iy = 0; iy < kTileSide; ++iy)
-      forEachBit(tile->known[static_cast<std::size_t>(iy)],
-                 [&](std::int32_t ix)
-                 {
-                   const CellRef cell{const_cast<Tile*>(tile), ix, iy};
-                   const std::size_t at = all.indexOfKey(cell.keyX(), cell.keyY());
-                   const Leaf leaf = m_impl->tree.at(cell);
-                   const auto set = [at](grid::Layer<float>& layer, double value)
-                   { layer.cells()[at] = static_cast<float>(value); };
-                   set(layers.height, m_impl->heightAt(cell));
-                   set(layers.leafSide, m_impl->resolution * (1 << leaf.level));
-                   const std::int32_t index = m_impl->indexOf(leaf.plane);
-                   if (index == kNoPlane)
-                     return set(layers.sigma,
-                                std::sqrt(this->cell(cell.keyX(), cell.keyY())->variance));
-                   const TerrainPlane& plane = m_impl->list[static_cast<std::size_t>(index)];
-                   set(layers.sigma, plane.rms);
-                   set(layers.plane, index);
-                   set(layers.slope, plane.slope());
-                 });
+    m_impl->tree.forEachOf(*tile, [&](const Leaf& leaf) { m_impl->fillLeaf(leaf, *tile, layers); });
   layers.traversability = traversabilityOf(layers, m_impl->params);
   return layers;
 }

@@ -86,7 +86,7 @@ std::optional<TerrainCell> TerrainMap::cell(std::int32_t kx, std::int32_t ky) co
   TerrainCell out;
   out.points = sums.points;
   out.height = kHeightUnit * (fused ? sums.fusedZ() : sums.highestZ());
-  out.variance = kWeightUnit / static_cast<double>(fused ? sums.weight : sums.highestWeight());
+  out.variance = m_impl->varianceOf(sums);
   return out;
 }
 

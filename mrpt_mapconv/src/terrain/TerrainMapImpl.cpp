@@ -231,13 +231,6 @@ CellRef TerrainMap::Impl::knownCell(std::int32_t kx, std::int32_t ky) const
   return cell && cell.tile->isKnown(cell.ix, cell.iy) ? cell : CellRef{};
 }
 
-double TerrainMap::Impl::heightAt(const CellRef& cell) const
-{
-  const std::int32_t id = cell.tile->plane[cell.index()];
-  return kHeightUnit * (id == kNoPlane ? cell.tile->height[cell.index()]
-                                       : planes.at(id).plane.at(cell.keyX(), cell.keyY()));
-}
-
 /** Forgets cells of a tile. */
 void TerrainMap::Impl::forget(Tile& tile, const TileBits& outside)
 {

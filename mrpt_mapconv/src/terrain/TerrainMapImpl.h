@@ -77,8 +77,13 @@ class TerrainMap::Impl
   {
     return id == kNoPlane ? kNoPlane : indices[static_cast<std::size_t>(id)];
   }
-  /** The height of a cell, that of its plane if it has one [m]. */
-  double heightAt(const CellRef& cell) const;
+  void fillLeaf(const Leaf& leaf, const Tile& tile, TerrainLayers& layers) const;
+  /** Of a cell's height [m²]. */
+  double varianceOf(const CellSums& sums) const
+  {
+    const bool fused = params.heightRule == HeightRule::Fused;
+    return kWeightUnit / static_cast<double>(fused ? sums.weight : sums.highestWeight());
+  }
   double slopeUnit() const { return kHeightUnit / resolution; }  //!< of Plane::slopeX [m/m]
 
   double resolution;

@@ -86,12 +86,12 @@ void addMeetings(Tile& tile, const TerrainMap& map, const std::vector<std::int32
                  y = 0.5 * map.resolution() * (cell.keyY() + other.keyY());
     const auto height = [&](std::int32_t plane)
     { return map.planes()[static_cast<std::size_t>(plane)].heightAt(x, y); };
-    const auto gap =
+    const std::int32_t between =
         std::max(std::abs(other.keyX() - cell.keyX()), std::abs(other.keyY() - cell.keyY())) - 1;
     const std::size_t side = (dx != 0 ? 0u : 2u) + (sign > 0 ? 0u : 1u);
     meetings[{std::min(a, b), std::max(a, b)}][side].add(
         {height(std::max(a, b)) - height(std::min(a, b)), x, y, static_cast<double>(sign * dx),
-         static_cast<double>(sign * dy), static_cast<double>(gap), 1});
+         static_cast<double>(sign * dy), static_cast<double>(between), 1});
   };
   for (std::int32_t iy = 0; iy < kTileSide; ++iy)
   {

@@ -70,9 +70,9 @@ NoiseErrors errorsOf(const Heights& heights, const eval::TerrainTruth& truth,
   return {noise, summaries(judged.clear), summaries(judged.apart), summaries(judged.far)};
 }
 
-std::size_t leastCells(const TerrainExperimentSettings& settings, double resolution)
+std::size_t leastCells(const TerrainExperimentSettings& settings)
 {
-  return static_cast<std::size_t>(settings.params.leastPlaneCells(resolution));
+  return static_cast<std::size_t>(settings.params.minPlaneCells);
 }
 
 /** Of the largest planes, as far as they have enough judged cells for a plane. */
@@ -89,7 +89,7 @@ std::vector<PlaneErrors> planeErrors(const Heights& heights, const eval::Terrain
     for (std::size_t plane = 0; plane < all.size(); ++plane) all[plane].errors[i] = errors[plane];
   }
   const auto cells = [](const PlaneErrors& plane) { return plane.errors.front().cells; };
-  const std::size_t least = leastCells(settings, truth.height.frame().resolution);
+  const std::size_t least = leastCells(settings);
   all.erase(std::remove_if(all.begin(), all.end(),
                            [&](const PlaneErrors& plane) { return cells(plane) < least; }),
             all.end());
@@ -117,7 +117,7 @@ AdaptiveMap adaptive(const terrain::TerrainMap& map, const terrain::TerrainLayer
                      const eval::TerrainTruth& truth, const TerrainWalk& walk,
                      const TerrainWorld& world, const TerrainExperimentSettings& settings)
 {
-  const eval::PlaneMatchParams match{settings.overlap, leastCells(settings, map.resolution())};
+  const eval::PlaneMatchParams match{settings.overlap, leastCells(settings)};
   return {map.cells(),
           map.leaves(),
           map.memory(),
