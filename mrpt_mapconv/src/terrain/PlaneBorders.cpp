@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 #include <unordered_map>
 #include <utility>
 
@@ -12,10 +13,8 @@ namespace mrpt_mapconv::terrain
 {
 namespace
 {
-/** Distances that differ by less are the same: heights are rounded [kHeightUnit]. */
+/** Distances are told apart in steps of this: heights are rounded [kHeightUnit]. */
 constexpr double kTie = 4;
-/** As far as cells give way to another plane at once [cells]. */
-constexpr int kMostLayers = 1000;
 
 struct Step
 {
@@ -93,35 +92,37 @@ std::vector<Tile*> PlaneBorders::tilesOf(std::int32_t id) const
   return tiles;
 }
 
-/** A choice that does not depend on how planes are numbered. */
+/** A choice that does not depend on how planes are numbered. An order that stays until the planes
+ * are refitted: cells that only change for the better come to rest. */
 bool PlaneBorders::prefers(std::int32_t a, std::int32_t b) const
 {
   constexpr double kSameSlope = 0.05;  // [kHeightUnit per cell]
-  const PlaneState &first = m_planes.at(a), &second = m_planes.at(b);
-  const double slopes = std::hypot(first.plane.slopeX, first.plane.slopeY) -
-                        std::hypot(second.plane.slopeX, second.plane.slopeY);
-  if (std::abs(slopes) > kSameSlope) return slopes < 0;
-  return std::make_pair(first.moments.meanY(), first.moments.meanX()) <
-         std::make_pair(second.moments.meanY(), second.moments.meanX());
+  const auto key = [this](std::int32_t id)
+  {
+    const Plane& plane = m_planes.at(id).plane;
+    const double slope = std::hypot(plane.slopeX, plane.slopeY);
+    return std::make_tuple(std::round(slope / kSameSlope), plane.slopeX, plane.slopeY);
+  };
+  return key(a) < key(b);
 }
 
 /** The plane that a cell is nearest to, its own or that of a neighbour within the tolerance. */
 std::int32_t PlaneBorders::nearest(const CellRef& cell) const
 {
+  const auto rankOf = [](double distance) { return std::floor(distance / kTie); };
   std::int32_t best = cell.tile->plane[cell.index()];
-  double least = best == kNoPlane ? 0 : m_planes.distance(cell, best);
+  double least = best == kNoPlane ? 0 : rankOf(m_planes.distance(cell, best));
   for (const Step& step : kNeighbours)
   {
     const CellRef other = cellAt(*cell.tile, cell.ix + step.x, cell.iy + step.y);
     const std::int32_t id = other ? other.tile->plane[other.index()] : kNoPlane;
     if (id == kNoPlane || id == best) continue;
-    const double distance = m_planes.distance(cell, id);
+    const double distance = m_planes.distance(cell, id), rank = rankOf(distance);
     if (distance > m_search.tolerance) continue;
-    const bool isNearer = best == kNoPlane || distance < least - kTie ||
-                          (distance <= least + kTie && prefers(id, best));
+    const bool isNearer = best == kNoPlane || rank < least || (rank == least && prefers(id, best));
     if (!isNearer) continue;
     best = id;
-    least = distance;
+    least = rank;
   }
   return best;
 }
@@ -235,13 +236,12 @@ std::vector<Tile*> PlaneBorders::relax(const std::vector<Tile*>& where)
                    move({tile, ix, iy});
                  });
   }
-  // each layer lets the next one move; ties could go round in circles
-  for (int layer = 0; layer < kMostLayers && !cells.empty(); ++layer)
+  while (!cells.empty())
   {
-    const std::vector<CellRef> last = std::exchange(cells, {});
-    for (const CellRef& cell : last)
-      for (const Step& step : kNeighbours)
-        move(cellAt(*cell.tile, cell.ix + step.x, cell.iy + step.y));
+    const CellRef cell = cells.back();
+    cells.pop_back();
+    for (const Step& step : kNeighbours)
+      move(cellAt(*cell.tile, cell.ix + step.x, cell.iy + step.y));
   }
   return sortedUnique(std::move(moved));
 }
