@@ -101,7 +101,7 @@ void RandomTerrain::addStairs(Rng& rng)
 void RandomTerrain::addRamp(Rng& rng)
 {
   Piece ramp = somewhere(rng, 12, 30);
-  ramp.slopeX = (chance(rng, 50) ? 1 : -1) * uniform(rng, 0.15, 0.8) * kResolution;
+  ramp.slopeX = (chance(rng, 50) ? 1 : -1) * uniform(rng, 0.25, 0.8) * kResolution;
   ramp.angle = pick(rng, 0, 1) * M_PI / 2;
   ramp.z = std::abs(ramp.slopeX) * (ramp.halfX + 1);
   add(ramp);
@@ -115,7 +115,7 @@ void RandomTerrain::addPlate(Rng& rng, bool tilted)
   if (tilted)
   {
     plate.z = 3.0 * ++m_tilted;
-    plate.slopeX = uniform(rng, 0.15, 0.6) * kResolution;
+    plate.slopeX = uniform(rng, 0.25, 0.6) * kResolution;
     plate.slopeY = uniform(rng, -0.6, 0.6) * kResolution;
   }
   add(plate);

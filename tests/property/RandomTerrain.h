@@ -25,9 +25,9 @@ struct TerrainPoints
 
 /** Floors, platforms, stairs, ramps and rotated, tilted plates of noise-free cells.
  *
- * Levels differ by more than twice the tolerance: between those that differ by less, a plane in the
- * middle fits both. Ramps leave their floor from the first row on. Each plane holds a square of 5
- * cells: of a narrower strip of floor at the foot of a ramp, the ramp's plane takes too much. */
+ * Their planes can be told apart: levels differ by more than twice the tolerance, between others a
+ * plane in the middle fits both; each plane holds a square of 5 cells, and slopes leave the
+ * tolerance within its half. Ramps leave their floor from the first row on. */
 class RandomTerrain
 {
  public:

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 #include <unordered_map>
 
 #include "../grid/Parallel.h"
@@ -12,9 +13,8 @@ namespace mrpt_mapconv::terrain
 {
 namespace
 {
+/** Distances are told apart in steps of this: heights are rounded [kHeightUnit]. */
 constexpr double kTie = kSameHeight;
-/** As far as cells give way to another plane at once [cells]. */
-constexpr int kMostLayers = 1000;
 /** Fewer tiles are not worth a second thread. */
 constexpr std::size_t kWorthThreads = 128;
 
@@ -94,16 +94,18 @@ std::vector<Tile*> PlaneBorders::tilesOf(std::int32_t id) const
   return tiles;
 }
 
-/** A choice that does not depend on how planes are numbered. */
+/** A choice that does not depend on how planes are numbered. An order that stays until the planes
+ * are refitted: cells that only change for the better come to rest. */
 bool PlaneBorders::prefers(std::int32_t a, std::int32_t b) const
 {
   constexpr double kSameSlope = 0.05;  // [kHeightUnit per cell]
-  const PlaneState &first = m_planes.at(a), &second = m_planes.at(b);
-  const double slopes = std::hypot(first.plane.slopeX, first.plane.slopeY) -
-                        std::hypot(second.plane.slopeX, second.plane.slopeY);
-  if (std::abs(slopes) > kSameSlope) return slopes < 0;
-  return std::make_pair(first.moments.meanY(), first.moments.meanX()) <
-         std::make_pair(second.moments.meanY(), second.moments.meanX());
+  const auto key = [this](std::int32_t id)
+  {
+    const Plane& plane = m_planes.at(id).plane;
+    const double slope = std::hypot(plane.slopeX, plane.slopeY);
+    return std::make_tuple(std::round(slope / kSameSlope), plane.slopeX, plane.slopeY);
+  };
+  return key(a) < key(b);
 }
 
 /** The plane that a cell is nearest to, its own or that of a neighbour within the tolerance. */
@@ -120,18 +122,18 @@ std::int32_t PlaneBorders::nearest(const CellRef& cell) const
       others[count++] = id;
   }
   if (count == 0) return own;
+  const auto rankOf = [](double distance) { return std::floor(distance / kTie); };
   std::int32_t best = own;
-  double least = own == kNoPlane ? 0 : m_planes.distance(cell, own);
+  double least = own == kNoPlane ? 0 : rankOf(m_planes.distance(cell, own));
   for (std::size_t i = 0; i < count; ++i)
   {
     const std::int32_t id = others[i];
-    const double distance = m_planes.distance(cell, id);
+    const double distance = m_planes.distance(cell, id), rank = rankOf(distance);
     if (distance > m_search.tolerance || id == best) continue;
-    const bool isNearer = best == kNoPlane || distance < least - kTie ||
-                          (distance <= least + kTie && prefers(id, best));
+    const bool isNearer = best == kNoPlane || rank < least || (rank == least && prefers(id, best));
     if (!isNearer) continue;
     best = id;
-    least = distance;
+    least = rank;
   }
   return best;
 }
@@ -257,14 +259,16 @@ bool PlaneBorders::relax(const std::vector<Unsettled>& where, int threads)
     for (const CellRef& cell : ofTile)
       if (moveToNearest(cell)) moved.push_back(cell);
   const bool any = !moved.empty();
-  // each layer lets the next one move; equally near planes could take turns for ever
-  for (int layer = 0; layer < kMostLayers && !moved.empty(); ++layer)
-    for (const CellRef& cell : std::exchange(moved, {}))
-      for (const Step& step : kNeighbours)
-      {
-        const CellRef next = cellAt(*cell.tile, cell.ix + step.x, cell.iy + step.y);
-        if (moveToNearest(next)) moved.push_back(next);
-      }
+  while (!moved.empty())
+  {
+    const CellRef cell = moved.back();
+    moved.pop_back();
+    for (const Step& step : kNeighbours)
+    {
+      const CellRef next = cellAt(*cell.tile, cell.ix + step.x, cell.iy + step.y);
+      if (moveToNearest(next)) moved.push_back(next);
+    }
+  }
   return any;
 }
 
