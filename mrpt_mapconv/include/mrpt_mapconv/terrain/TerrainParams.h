@@ -26,7 +26,7 @@ constexpr std::int32_t kMostHypotheses = 64;
 struct TerrainParams
 {
   HeightRule heightRule = HeightRule::Fused;
-  double planeTolerance = 0.03;  //!< d [m]
+  double planeTolerance = 0.02;  //!< d [m]
   double planeWindow = 0.2;      //!< half its side [m]
   std::int32_t hypotheses = 12;  //!< K
   std::int32_t blockCells = 8;   //!< B
