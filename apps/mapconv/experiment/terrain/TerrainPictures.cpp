@@ -69,8 +69,9 @@ void addHistograms(const TerrainResults& results, Report& report)
 {
   std::ostringstream script;
   script << "set grid\nset xlabel 'map minus truth [mm]'\nset ylabel 'cells [%]'\n"
-         << "set xrange [-40:40]\nset logscale y\nset key outside bottom center vertical\nset multiplot layout 1," << results.size()
-         << "\n";
+         << "set xrange [-40:40]\nset logscale y\nset key outside bottom center vertical\nset "
+            "multiplot layout 1,"
+         << results.size() << "\n";
   for (std::size_t w = 0; w < results.size(); ++w)
     for (const TerrainRun& run : results[w].runs)
     {

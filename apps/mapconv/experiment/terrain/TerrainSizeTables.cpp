@@ -60,7 +60,7 @@ void addPlanes(const TerrainResults& results, const TerrainExperimentSettings& s
   table.note = "A plane is right if it and a true one share " + percent(settings.overlap) +
                " of the cells of either (Hoover et al. 1996), of cells with a true plane that the "
                "map knows. True planes and those of the map count from " +
-               "so many such cells on as a plane must have.";
+               std::to_string(settings.params.minPlaneCells) + " such cells on.";
   report.addHeading("Planes");
   report.addTable(table);
 }
