@@ -98,6 +98,7 @@ bool PlaneGrowth::isWide(const PlaneMoments& moments) const
  * plane is no seed any more. */
 bool PlaneGrowth::growFrom(const CellRef& seed, PlaneSet& planes)
 {
+  if (!m_seedPlane.isPromising(seed)) return false;
   const auto found = m_seedPlane.find(seed);
   if (!found || !flood(seed, *found)) return false;
   PlaneMoments moments = m_flood.moments(seed);
@@ -153,7 +154,7 @@ void PlaneGrowth::lookAhead(const std::vector<CellRef>& seeds, int threads)
                      for (std::size_t i = begin; i < end; ++i)
                      {
                        m_hopeless[i] = true;
-                       if (isRejected(seeds[i]) || !small.hasRoom(seeds[i])) continue;
+                       if (isRejected(seeds[i]) || !seedPlane.isPromising(seeds[i])) continue;
                        const auto plane = seedPlane.find(seeds[i]);
                        m_hopeless[i] = !plane || !small.mayBePlane(seeds[i], *plane);
                      }

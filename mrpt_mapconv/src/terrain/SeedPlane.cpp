@@ -1,6 +1,8 @@
 #include "SeedPlane.h"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdlib>
 
 namespace mrpt_mapconv::terrain
 {
@@ -65,7 +67,10 @@ void countBetter(const float* __restrict score, std::size_t count, std::int32_t*
 }
 }  // namespace
 
-SeedPlane::SeedPlane(const PlaneSearch& search) : m_search(search)
+SeedPlane::SeedPlane(const PlaneSearch& search)
+    : m_search(search),
+      m_besideReach(search.mostSlope + search.tolerance),
+      m_diagonalReach(search.mostSlope * std::sqrt(2.0) + search.tolerance)
 {
   auto places = std::make_shared<std::vector<Place>>();
   const std::int32_t r = search.window;
@@ -83,6 +88,24 @@ bool SeedPlane::isWithinTile(const CellRef& seed) const
 {
   const std::int32_t r = m_search.window;
   return std::min(seed.ix, seed.iy) >= r && std::max(seed.ix, seed.iy) < kTileSide - r;
+}
+
+bool SeedPlane::isPromising(const CellRef& seed) const
+{
+  const std::int32_t needed = m_search.minWidth >= 3 ? 6 : m_search.minWidth;
+  const std::int32_t z = seed.tile->height[seed.index()];
+  std::int32_t near = 0;
+  for (std::int32_t dy = -1; dy <= 1; ++dy)
+    for (std::int32_t dx = -1; dx <= 1; ++dx)
+    {
+      const CellRef cell = cellAt(*seed.tile, seed.ix + dx, seed.iy + dy);
+      if (!cell || (dx == 0 && dy == 0)) continue;
+      const std::size_t at = cell.index(), y = static_cast<std::size_t>(cell.iy);
+      const bool isFree = (cell.tile->known[y] & ~cell.tile->assigned[y]) >> cell.ix & 1u;
+      const double off = std::abs(cell.tile->height[at] - z);
+      near += isFree && off <= (dx == 0 || dy == 0 ? m_besideReach : m_diagonalReach) ? 1 : 0;
+    }
+  return near >= needed;
 }
 
 /** \return how many of the drawn cells are known and free */

@@ -40,8 +40,11 @@ class SeedPlane
 {
  public:
   explicit SeedPlane(const PlaneSearch& search);
-  /** \param seed a cell without a plane */
+  /** \param seed a cell without a plane; only if it is promising() */
   std::optional<Plane> find(const CellRef& seed);
+  /** Whether it is worth it: a plane that is wide enough has cells with most of their 8 neighbours
+   * in it, and these differ from the cell by no more than the steepest plane and the tolerance. */
+  bool isPromising(const CellRef& seed) const;
 
   static constexpr std::size_t kMostHypotheses = 64;
 
@@ -59,6 +62,7 @@ class SeedPlane
   std::size_t keepBest(std::size_t hypotheses, std::size_t kept);
 
   PlaneSearch m_search;
+  double m_besideReach, m_diagonalReach;  //!< such differences [kHeightUnit]
   std::uint64_t m_random = 0;
   /** A place in the window. */
   struct Place

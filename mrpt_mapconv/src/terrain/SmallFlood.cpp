@@ -4,15 +4,6 @@
 
 namespace mrpt_mapconv::terrain
 {
-bool SmallFlood::isAmongFree(const CellRef& seed)
-{
-  if (std::min(seed.ix, seed.iy) < 1 || std::max(seed.ix, seed.iy) >= kTileMask) return false;
-  RowBits free = ~RowBits{0};
-  for (std::size_t y = static_cast<std::size_t>(seed.iy) - 1, i = 0; i < 3; ++i, ++y)
-    free &= seed.tile->known[y] & ~seed.tile->assigned[y];
-  return (free >> (seed.ix - 1) & 7u) == 7u;
-}
-
 /** Forgets what was visited, in those rows that may be. */
 void SmallFlood::start()
 {

@@ -16,13 +16,8 @@ class SmallFlood
   {
   }
 
-  /** False if fewer than minCells cells without a plane are connected with the seed. True is not
-   * made sure of where all around it have none. */
-  bool hasRoom(const CellRef& seed)
-  {
-    return isAmongFree(seed) || isLarge(seed, [](const CellRef&) { return true; });
-  }
-  /** False if fewer of them are near the plane, too. */
+  /** False if fewer than minCells cells without a plane that are near this one are connected with
+   * the seed. */
   bool mayBePlane(const CellRef& seed, const Plane& plane);
 
  private:
@@ -33,7 +28,6 @@ class SmallFlood
     std::int32_t x, y;
   };
 
-  static bool isAmongFree(const CellRef& seed);
   void start();
   bool visit(const Offset& at);
   template <class Open>
