@@ -13,6 +13,9 @@ TEST(TerrainDrive, NothingGrowsOver500Metres)
   TerrainDrive drive(0.1);
   const auto scans = drive.drive(4000);
   ASSERT_GT(drive.map().planes().size(), 5u);
+  const auto floor = drive.map().at(TerrainDrive::kLength, 0);
+  ASSERT_TRUE(floor && floor->plane >= 0);
+  EXPECT_NEAR(floor->height, 0, 0.01) << "its plane began 500 m ago";
   const auto early = TerrainDrive::between(scans, 50, 100),
              late = TerrainDrive::between(scans, 450, 500);
   const auto ratio = [&](std::size_t TerrainDrive::Scan::*what)
