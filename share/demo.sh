@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# The one demo command: installs packages, builds, converts maps and says where the pictures are.
+# The one demo command: installs packages, builds, makes maps and says where the pictures are.
 #   share/demo.sh            a simulated building, mapped, planned in and lifted to 3D; a simulated
-#                            office, mapped from 3D scans; real scans
+#                            office, mapped from 3D scans; simulated stairs, measured; real scans
 #   share/demo.sh MY.bt      your own map (.bt, .ot, .simplemap, .rawlog) [and flags of mapconv convert]
 # Results go to ./mapconv-demo (or to $MRPT_MAPCONV_DEMO).
 set -euo pipefail
@@ -74,12 +74,29 @@ scanned_office() {
   made+=("$dir/map" "$dir/uncut")
 }
 
+measured_stairs() {
+  local dir=$out/stairs
+  echo
+  echo "== stairs: a simulated legged robot with a depth camera and a lidar (some seconds)"
+  "$mapconv" simulate "$root/config/worlds/stairs.ini" -o "$dir/run"
+  rm -f "$dir"/run/{scans,frames}.rawlog
+  made+=("$dir/run")
+
+  echo
+  echo "== stairs: planes and leaves; each step on the robot's way beside the true one"
+  # the lowest rise is 0.06 m: planes must be told apart that differ by that
+  "$mapconv" terrain "$dir/run/scans.simplemap" -o "$dir/map" --resolution 0.02 --plane-tolerance 0.015 \
+    --min-plane-width 0.12 --truth "$root/config/worlds/stairs.ini"
+  made+=("$dir/map")
+}
+
 if [ $# -gt 0 ]; then
   convert "own/$(basename -- "$1")" "$@"
 else
   mkdir -p "$out"
   simulated_building
   scanned_office
+  measured_stairs
   # one scan leaves gaps between its beams: coarse voxels and a low robot; and it saw hardly any
   # ground, so that the lowest free voxel has to do for it
   convert velodyne "$data/test_velodyne_VLP16.rawlog" --resolution 0.4 --min-clearance 0.4 --floor-from lowestFree
@@ -88,7 +105,7 @@ fi
 show() { # the pictures that say most, side by side; on a desktop in a window
   local pictures=() picture
   for picture in "$out/building"/{run/truth_ground,icp-slam/LOG_ICP-SLAM/*_ground,map/floor,paths/ground,paths/aerial}.png \
-    "$out/office"/{run/truth_ground,map/map,uncut/map}.png; do
+    "$out/office"/{run/truth_ground,map/map,uncut/map}.png "$out/stairs/map"/{leaves,height,traversability}.png; do
     [ -f "$picture" ] && pictures+=("$picture")
   done
   [ ${#pictures[@]} -gt 0 ] || return 0

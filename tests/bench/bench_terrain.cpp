@@ -3,10 +3,12 @@
 // (targets on two threads: <= 60 ms with 10 % rubble, <= 150 ms of rubble alone), and an update
 // after a scan that touches 2 % of the cells, cells of the largest plane among them (target:
 // <= 10 % of the full extraction). Best of several rounds; the baseline of the ratios is a plain
-// sum of the same points.
+// sum of the same points. Over a drive of 500 m with a local window: heap and median time per scan
+// of the last tenth (targets: <= 1.1 times those between 50 and 100 m).
 //
 //   bench_terrain [FEWER [PART]]    FEWER: divides the number of rounds, to see quickly that it
-//                                   works; PART: insertion, structured, rubble or update alone
+//                                   works; PART: insertion, structured, rubble, update or drive
+//                                   alone
 #include <mrpt_mapconv/observation/ObservationPoints.h>
 #include <mrpt_mapconv/sim/RayCaster.h>
 #include <mrpt_mapconv/sim/Scenario.h>
@@ -22,6 +24,8 @@
 #include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "../support/TerrainDrive.h"
 
 using namespace mrpt_mapconv;
 using terrain::TerrainMap;
@@ -209,6 +213,29 @@ void printInsertion()
   std::printf("insertion, %zu scans, %zu points: %.1f million points/s on 1 thread, %.1f x a sum\n",
               scans.size(), points, 1e-6 * static_cast<double>(points) / seconds, seconds / sum);
 }
+
+void printDrive()
+{
+  using fixtures::TerrainDrive;
+  TerrainDrive drive(kResolution);
+  const auto scans = drive.drive(20000);
+  const auto early = TerrainDrive::between(scans, 50, 100),
+             late = TerrainDrive::between(scans, 450, 500);
+  const auto print = [](const char* what, double first, double last, const char* unit)
+  {
+    std::printf("drive, %-22s %6.2f %s between 50 and 100 m, %.3f times that at the end\n", what,
+                first, unit, last / first);
+  };
+  const auto printBytes = [&](const char* what, std::size_t TerrainDrive::Scan::*bytes)
+  {
+    print(what, 1e-6 * static_cast<double>(TerrainDrive::mostOf(early, bytes)),
+          1e-6 * static_cast<double>(TerrainDrive::mostOf(late, bytes)), "MB");
+  };
+  print("median time per scan:", 1e3 * TerrainDrive::medianSeconds(early),
+        1e3 * TerrainDrive::medianSeconds(late), "ms");
+  printBytes("most heap of the map:", &TerrainDrive::Scan::memory);
+  printBytes("most heap of all:", &TerrainDrive::Scan::heap);
+}
 }  // namespace
 
 int main(int argc, char** argv)
@@ -217,6 +244,7 @@ int main(int argc, char** argv)
   const std::string part = argc > 2 ? argv[2] : "";
   const auto isWanted = [&part](const char* name) { return part.empty() || part == name; };
   if (isWanted("insertion")) printInsertion();
+  if (isWanted("drive")) printDrive();
   const Cloud structured = ground(0.1, 1);
   if (isWanted("structured")) printExtraction("structured, 10 % rubble", structured);
   if (isWanted("rubble")) printExtraction("rubble alone", ground(1, 2));

@@ -1,12 +1,17 @@
 #include <mrpt/core/format.h>
+#include <mrpt_mapconv/eval/TrueSteps.h>
+#include <mrpt_mapconv/files/FileIo.h>
 #include <mrpt_mapconv/files/OutputDir.h>
 #include <mrpt_mapconv/params/Text.h>
+#include <mrpt_mapconv/sim/Scenario.h>
 #include <mrpt_mapconv/terrain/TerrainFiles.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <memory>
+#include <optional>
 #include <stdexcept>
+#include <vector>
 
 #include "command/Command.h"
 #include "input/EachScan.h"
@@ -17,6 +22,7 @@
 #include "input/TerrainSettings.h"
 #include "output/Console.h"
 #include "output/Job.h"
+#include "output/StepReport.h"
 #include "output/Summary.h"
 #include "output/TerrainReport.h"
 
@@ -29,10 +35,19 @@ namespace
 struct TerrainOptions
 {
   std::string file, iniFile, outputDir;
+  std::string worldFile;  // empty: the truth is not known
   TerrainFlags flags;
   observation::RawlogOptions log;
   int threads = 0;
   bool json = false;
+};
+
+/** What a run has to tell. */
+struct TerrainResult
+{
+  const TerrainBuilder& builder;
+  terrain::TerrainLayers layers;
+  std::optional<std::vector<eval::StepMatch>> steps;  //!< if the truth is known
 };
 
 std::string skippedText(const TerrainFigures& figures)
@@ -70,13 +85,15 @@ void noteUnusedSigmas(const TerrainBuilder& builder, const std::string& file, No
     noEffect.add(builder.settings().poseSigmas, file + " has the covariance of each pose");
 }
 
-void writeOutputs(const terrain::TerrainMap& map, const terrain::TerrainLayers& layers,
-                  files::OutputDir& out, Progress& progress)
+void writeOutputs(const TerrainResult& result, files::OutputDir& out, Progress& progress)
 {
+  const terrain::TerrainMap& map = result.builder.map();
   grid::ExportFormats formats{"layers.tif"};
   formats.pictures = formats.gridMaps = formats.rosMaps = true;
-  writeTerrainScene(out.path("map.3Dscene"), map, layers);
-  terrain::exportTerrain(out, map, layers, formats, [&](double share) { progress.done(share); });
+  writeTerrainScene(out.path("map.3Dscene"), map, result.layers);
+  if (result.steps) files::writeFile(out.path("true_steps.csv"), stepMatchesCsv(*result.steps));
+  terrain::exportTerrain(out, map, result.layers, formats,
+                         [&](double share) { progress.done(share); });
 }
 
 std::string covarianceText(const TerrainFigures& figures)
@@ -86,13 +103,15 @@ std::string covarianceText(const TerrainFigures& figures)
                       figures.scans);
 }
 
-std::string textSummary(const SummaryHead& head, const TerrainBuilder& builder,
-                        const terrain::TerrainLayers& layers, const Seconds& seconds)
+std::string textSummary(const SummaryHead& head, const TerrainResult& result,
+                        const Seconds& seconds)
 {
+  const TerrainBuilder& builder = result.builder;
   const TerrainFigures& figures = builder.figures();
   std::string text = headText(head);
-  text += countsText("terrain", countsOf(layers.traversability));
-  text += countsText(countsOf(builder.map(), layers));
+  text += countsText("terrain", countsOf(result.layers.traversability));
+  text += countsText(countsOf(builder.map(), result.layers));
+  if (result.steps) text += stepMatchesText(*result.steps);
   const std::string changed = changedText(builder.settings());
   if (!changed.empty()) text += "not default  " + changed + "\n";
   text +=
@@ -109,14 +128,16 @@ std::string textSummary(const SummaryHead& head, const TerrainBuilder& builder,
   return text + secondsText(seconds);
 }
 
-std::string jsonSummary(const SummaryHead& head, const TerrainBuilder& builder,
-                        const terrain::TerrainLayers& layers, const Seconds& seconds)
+std::string jsonSummary(const SummaryHead& head, const TerrainResult& result,
+                        const Seconds& seconds)
 {
+  const TerrainBuilder& builder = result.builder;
   const TerrainFigures& figures = builder.figures();
   JsonObject why;
   for (const auto& [reason, count] : figures.skipped) why.add(reason, count);
-  JsonObject json = summaryJson(head, countsOf(layers.traversability));
-  addCounts(countsOf(builder.map(), layers), json);
+  JsonObject json = summaryJson(head, countsOf(result.layers.traversability));
+  addCounts(countsOf(builder.map(), result.layers), json);
+  if (result.steps) addStepMatches(*result.steps, json);
   json.add("parameters", settingsJson(builder.settings()));
   json.add("scans3D", figures.scans).add("scansWithCovariance", figures.withCovariance);
   json.add("scans2D", figures.scans2D).add("skipped", figures.skips()).add("skippedBecause", why);
@@ -125,12 +146,25 @@ std::string jsonSummary(const SummaryHead& head, const TerrainBuilder& builder,
   return json.add("seconds", secondsJson(seconds)).text() + "\n";
 }
 
+/** The steps on the robot's way through a simulated world, if there is one: those that the map
+ * could tell. */
+std::vector<eval::TrueStep> trueStepsOf(const std::string& worldFile,
+                                        const TerrainSettings& settings)
+{
+  if (worldFile.empty()) return {};
+  const auto scenario = sim::Scenario::load(worldFile);
+  return eval::trueSteps(scenario.world, scenario.trajectory,
+                         settings.terrain.params.planeTolerance);
+}
+
 int mapTerrain(const TerrainOptions& options)
 {
   Job job;
   NoEffect noEffect;
   const TerrainSettings settings = readTerrainSettings(options.iniFile, options.flags);
   job.checkOutput(options.outputDir);
+
+  const std::vector<eval::TrueStep> truth = trueStepsOf(options.worldFile, settings);
 
   const ScanFile file = job.stage(
       "load", [&] { return read3DScans(options.file, options.log, noEffect, job.progress()); });
@@ -147,13 +181,14 @@ int mapTerrain(const TerrainOptions& options)
   noEffect.warn();
   warnOfLosses(builder.figures());
   job.stage("planes", "finding planes", [&] { builder.finish(options.threads); });
-  const auto layers = job.stage("layers", [&] { return builder.map().layers(); });
-  job.write(options.outputDir, [&](files::OutputDir& out)
-            { writeOutputs(builder.map(), layers, out, job.progress()); });
+  TerrainResult result{builder, job.stage("layers", [&] { return builder.map().layers(); }), {}};
+  if (!options.worldFile.empty()) result.steps = eval::matchSteps(truth, builder.map());
+  job.write(options.outputDir,
+            [&](files::OutputDir& out) { writeOutputs(result, out, job.progress()); });
 
-  const SummaryHead head{name, file.description, options.outputDir, layers.height.frame()};
-  job.print(options.json ? jsonSummary(head, builder, layers, job.seconds())
-                         : textSummary(head, builder, layers, job.seconds()));
+  const SummaryHead head{name, file.description, options.outputDir, result.layers.height.frame()};
+  job.print(options.json ? jsonSummary(head, result, job.seconds())
+                         : textSummary(head, result, job.seconds()));
   return 0;
 }
 }  // namespace
@@ -174,6 +209,10 @@ std::pair<CLI::App*, Command> addTerrain(CLI::App& app)
   options->flags.grid.addTo(*sub, isNumber());
   options->flags.insertion.addTo(*sub, isNumber());
   options->flags.terrain.addTo(*sub, isNumber());
+  sub->add_option("--truth", options->worldFile,
+                  "the world that was simulated: lists the steps on the robot's way beside the "
+                  "true ones")
+      ->type_name("WORLD.ini");
   addPoseOptions(*sub, options->log);
   addThreadsOption(*sub, options->threads);
   sub->footer(
@@ -183,7 +222,7 @@ std::pair<CLI::App*, Command> addTerrain(CLI::App& app)
       "into\n"
       "leaves. DIR gets layers.tif, a picture of each layer, leaves.png, planes.csv, steps.csv,\n"
       "traversability.gridmap, .pgm and .yaml, and map.3Dscene. The covariance of a pose is taken\n"
-      "from the log where it has one.");
+      "from the log where it has one. With --truth there is true_steps.csv, too.");
   return {sub, [options] { return mapTerrain(*options); }};
 }
 

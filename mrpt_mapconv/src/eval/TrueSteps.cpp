@@ -83,6 +83,31 @@ std::vector<Jump> jumpsOf(Profile& profile, double jump)
   }
   return jumps;
 }
+
+/** Whether a way that leads on from b to c goes straight on from a. */
+bool isStraight(const TPoint2D& a, const TPoint2D& b, const TPoint2D& c)
+{
+  constexpr double kParallel = 1e-6;  // sine of the angle
+  const TPoint2D before = b - a, after = c - b;
+  const double cross = before.x * after.y - before.y * after.x,
+               dot = before.x * after.x + before.y * after.y;
+  return dot > 0 && std::abs(cross) <= kParallel * before.norm() * after.norm();
+}
+
+/** Where a way begins, turns and ends. */
+std::vector<TPoint2D> cornersOf(const sim::Trajectory& way)
+{
+  std::vector<TPoint2D> corners;
+  for (const sim::Trajectory::Knot& knot : way.knots())
+  {
+    const TPoint2D place(knot.position.x, knot.position.y);
+    const std::size_t count = corners.size();
+    if (count > 0 && (place - corners.back()).norm() == 0) continue;  // it turns on the spot
+    if (count > 1 && isStraight(corners[count - 2], corners.back(), place)) corners.pop_back();
+    corners.push_back(place);
+  }
+  return corners;
+}
 }  // namespace
 
 std::vector<TrueStep> trueSteps(const sim::World& world, const TPoint2D& from, const TPoint2D& to,
@@ -107,6 +132,18 @@ std::vector<TrueStep> trueSteps(const sim::World& world, const TPoint2D& from, c
   return steps;
 }
 
+std::vector<TrueStep> trueSteps(const sim::World& world, const sim::Trajectory& way, double jump)
+{
+  const std::vector<TPoint2D> corners = cornersOf(way);
+  std::vector<TrueStep> all;
+  for (std::size_t i = 1; i < corners.size(); ++i)
+  {
+    const auto steps = trueSteps(world, corners[i - 1], corners[i], jump);
+    all.insert(all.end(), steps.begin(), steps.end());
+  }
+  return all;
+}
+
 std::optional<terrain::TerrainStep> stepFor(const TrueStep& truth,
                                             const std::vector<terrain::TerrainStep>& steps,
                                             double reach)
@@ -126,6 +163,16 @@ std::optional<terrain::TerrainStep> stepFor(const TrueStep& truth,
     nearest = step;
   }
   return nearest;
+}
+
+std::vector<StepMatch> matchSteps(const std::vector<TrueStep>& truth,
+                                  const terrain::TerrainMap& map)
+{
+  constexpr double kReach = 0.1;  // [m], less than half a tread
+  const auto steps = map.steps();
+  std::vector<StepMatch> matches;
+  for (const TrueStep& step : truth) matches.push_back({step, stepFor(step, steps, kReach)});
+  return matches;
 }
 
 }  // namespace mrpt_mapconv::eval

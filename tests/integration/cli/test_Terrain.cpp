@@ -162,6 +162,44 @@ TEST_F(Terrain, theSummarySaysWhatThereIs)
     EXPECT_TRUE(contains(run.out, line)) << line << " in " << run.out;
 }
 
+TEST_F(Terrain, listsStepsBesideTheTruth)
+{
+  const auto world = write("step.ini",
+                           "[world]\nbounds = -1 -1 -1  3 2 2\n"
+                           "[box.floor]\nmin = -1 -1 -1\nmax = 3 2 0\n"
+                           "[box.level]\nmin = 0.93 -1 0\nmax = 3 2 0.31\n"
+                           "[box.top]\nmin = 2.2 -1 0\nmax = 3 2 0.5\n"
+                           "[sensor.s]\nkind = scanner2D\nrate = 1\nmaxRange = 5\n"
+                           "fieldOfView = 180\nrays = 10\n"
+                           "[trajectory]\nposes = [0 0 0.5 1 0 0 0] [1 2.5 0.5 1 0 0 0]\n");
+  const auto run = terrain("step.rawlog", {"--truth", world});
+  ASSERT_EQ(0, run.status) << run.err;
+  EXPECT_TRUE(contains(run.out,
+                       "true steps   2 on the robot's way, 1 found; largest error of heights 10.0 "
+                       "mm, of depths 270.0 mm\n"
+                       "  x [m]  y [m]   height  in map    depth  in map\n"
+                       "   0.93   0.50    0.310    0.300    1.270    1.000\n"
+                       "   2.20   0.50    0.190        -        -        -  not found\n"))
+      << run.out;
+  EXPECT_EQ(readBytes(path("out/true_steps.csv")),
+            "x,y,directionX,directionY,trueHeight,height,trueDepth,depth\n"
+            "0.9300,0.5000,1.0000,0.0000,0.3100,0.3000,1.2700,1.0000\n"
+            "2.2000,0.5000,1.0000,0.0000,0.1900,,,\n");
+  const auto json = mapped({"--truth", world});
+  EXPECT_EQ(json["trueSteps"].number, 2);
+  EXPECT_EQ(json["trueStepsFound"].number, 1);
+  EXPECT_NEAR(json["worstStepHeightError"].number, 0.01, 1e-4);
+  EXPECT_NEAR(json["worstStepDepthError"].number, 0.27, 1e-4);
+}
+
+TEST_F(Terrain, aWorldThatIsNoneIsAnErrorThatNamesIt)
+{
+  const auto run = terrain("step.rawlog", {"--truth", write("no.ini", "[world]\n")});
+  EXPECT_EQ(1, run.status);
+  expectWords(run, {"no.ini"});
+  EXPECT_FALSE(std::filesystem::exists(path("out")));
+}
+
 TEST_F(Terrain, everyParameterIsInTheSummary)
 {
   const auto json = mapped({"--max-height", "5", "--height-rule", "maximum", "--pitch-sigma", "2"});

@@ -132,3 +132,59 @@ TEST(TrueSteps, OthersDoNot)
   EXPECT_TRUE(isFound(mapStep(1, 1.5, 1, 0, 1)));
   EXPECT_FALSE(isFound(mapStep(1, 1.7, 1, 0, 1))) << "ends beside the line";
 }
+
+namespace
+{
+/** A way through places at height 1 m, a second apart. */
+sim::Trajectory wayThrough(const std::vector<mrpt::math::TPoint2D>& places)
+{
+  std::vector<sim::Trajectory::Knot> knots;
+  for (const auto& place : places)
+  {
+    sim::Trajectory::Knot knot;
+    knot.time = static_cast<double>(knots.size());
+    knot.position = {place.x, place.y, 1};
+    knots.push_back(knot);
+  }
+  return sim::Trajectory(knots);
+}
+}  // namespace
+
+TEST(TrueSteps, AWayGoesStraightOnOverItsKnots)
+{
+  const auto steps =
+      eval::trueSteps(world(), wayThrough({{0.5, 1}, {1.2, 1}, {1.2, 1}, {1.5, 1}, {2, 1}}), 0.03);
+  const auto line = stepsOf(0.5, 2);
+  ASSERT_EQ(steps.size(), line.size());
+  for (std::size_t i = 0; i + 1 < line.size(); ++i)
+  {
+    EXPECT_NEAR(steps[i].x, line[i].x, 1e-6);
+    EXPECT_NEAR(steps[i].depth, line[i].depth, 1e-6) << "the tread does not end at a knot";
+  }
+}
+
+TEST(TrueSteps, AWayThatTurnsHasThoseOfEachPiece)
+{
+  const auto steps =
+      eval::trueSteps(world(), wayThrough({{0.5, 1}, {2, 1}, {2, 0.5}, {0.5, 0.5}}), 0.03);
+  ASSERT_EQ(steps.size(), 6u);
+  EXPECT_NEAR(steps.front().y, 1, 1e-9);
+  EXPECT_NEAR(steps.back().y, 0.5, 1e-9);
+  EXPECT_NEAR(steps.back().x, steps.front().x, 1e-6);
+}
+
+TEST(TrueSteps, AMapIsMatchedStepByStep)
+{
+  terrain::TerrainMap map(0.05);
+  for (int x = 0; x < 40; ++x)
+    for (int y = 0; y < 20; ++y) map.insertPoint(0.05 * x, 0.05 * y, x < 20 ? 0 : 0.21, 0.001);
+  map.update(1);
+  const TrueStep here{0.97, 0.5, 1, 0, 0.2, 1}, elsewhere{1.5, 0.5, 1, 0, 0.2, 1};
+  const auto matches = eval::matchSteps({here, elsewhere}, map);
+  ASSERT_EQ(matches.size(), 2u);
+  ASSERT_TRUE(matches[0].found);
+  EXPECT_NEAR(matches[0].heightError(), 0.01, 1e-4);
+  EXPECT_NEAR(matches[0].depthError(), 0, 1e-9);
+  EXPECT_FALSE(matches[1].found);
+  EXPECT_TRUE(std::isnan(matches[1].heightError()));
+}

@@ -102,13 +102,11 @@ std::vector<PlaneErrors> planeErrors(const Heights& heights, const eval::Terrain
 std::vector<JudgedStep> judgedSteps(const terrain::TerrainMap& map, const sim::World& world,
                                     const std::vector<StairsLine>& flights)
 {
-  constexpr double kReach = 0.1;  // [m], less than half a tread
-  const auto steps = map.steps();
   std::vector<JudgedStep> judged;
   for (const StairsLine& flight : flights)
-    for (const eval::TrueStep& truth :
-         eval::trueSteps(world, flight.from, flight.to, map.params().planeTolerance))
-      judged.push_back({flight.name, truth, eval::stepFor(truth, steps, kReach)});
+    for (const eval::StepMatch& match : eval::matchSteps(
+             eval::trueSteps(world, flight.from, flight.to, map.params().planeTolerance), map))
+      judged.push_back({match, flight.name});
   return judged;
 }
 

@@ -4,7 +4,6 @@
 #include <mrpt_mapconv/eval/TerrainErrors.h>
 #include <mrpt_mapconv/eval/TrueSteps.h>
 
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,11 +23,9 @@ struct NoiseErrors
 };
 
 /** A true step, and the one that a map has for it. */
-struct JudgedStep
+struct JudgedStep : mrpt_mapconv::eval::StepMatch
 {
   std::string flight;
-  mrpt_mapconv::eval::TrueStep truth;
-  std::optional<mrpt_mapconv::terrain::TerrainStep> found;
 };
 
 /** Errors in the cells of a true plane, away from jumps. */

@@ -9,9 +9,6 @@ namespace
 {
 constexpr double kMostHeightError = 0.005;  // [m]
 
-double heightError(const JudgedStep& step) { return step.found->height - step.truth.height; }
-double depthError(const JudgedStep& step) { return step.found->depth - step.truth.depth; }
-
 /** Of the steps of a flight at one resolution. */
 struct FlightFigures
 {
@@ -28,8 +25,8 @@ FlightFigures figuresOf(const std::vector<JudgedStep>& steps, const std::string&
     ++figures.steps;
     if (!step.found) continue;
     ++figures.found;
-    figures.worstHeight = std::fmax(figures.worstHeight, std::abs(heightError(step)));
-    figures.worstDepth = std::fmax(figures.worstDepth, std::abs(depthError(step)));
+    figures.worstHeight = std::fmax(figures.worstHeight, std::abs(step.heightError()));
+    figures.worstDepth = std::fmax(figures.worstDepth, std::abs(step.depthError()));
   }
   return figures;
 }
