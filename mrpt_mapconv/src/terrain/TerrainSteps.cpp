@@ -70,6 +70,19 @@ CellRef facing(const CellRef& from, std::int32_t dx, std::int32_t dy, std::int32
   return {};
 }
 
+/** The height of a plane at its edge. Mixed heights tilt small planes, to one side at the lower
+ * edge of a tread and to the other at its upper one: what is no steeper than the tolerance explains
+ * is taken for level. */
+double heightFor(const TerrainPlane& plane, double x, double y, double tolerance)
+{
+  constexpr double kSmall = 0.5;  // [m]
+  constexpr double kEdges = 3;    // times the tolerance, from one edge to the other
+  const double width = plane.xMax - plane.xMin, depth = plane.yMax - plane.yMin;
+  const double rise = std::abs(plane.slopeX) * width + std::abs(plane.slopeY) * depth;
+  return std::min(width, depth) <= kSmall && rise <= kEdges * tolerance ? plane.z
+                                                                        : plane.heightAt(x, y);
+}
+
 void addMeetings(Tile& tile, const TerrainMap& map, const std::vector<std::int32_t>& indices,
                  Meetings& meetings)
 {
@@ -85,7 +98,10 @@ void addMeetings(Tile& tile, const TerrainMap& map, const std::vector<std::int32
     const double x = 0.5 * map.resolution() * (cell.keyX() + other.keyX()),
                  y = 0.5 * map.resolution() * (cell.keyY() + other.keyY());
     const auto height = [&](std::int32_t plane)
-    { return map.planes()[static_cast<std::size_t>(plane)].heightAt(x, y); };
+    {
+      return heightFor(map.planes()[static_cast<std::size_t>(plane)], x, y,
+                       map.params().planeTolerance);
+    };
     const std::int32_t between =
         std::max(std::abs(other.keyX() - cell.keyX()), std::abs(other.keyY() - cell.keyY())) - 1;
     const std::size_t side = (dx != 0 ? 0u : 2u) + (sign > 0 ? 0u : 1u);

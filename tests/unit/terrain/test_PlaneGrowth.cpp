@@ -46,7 +46,7 @@ Heights heights(std::mt19937& random)
   return heights;
 }
 
-/** One seed after the other, cell by cell. */
+/** One seed after the other, cell by cell: with half of the tolerance, then with all of it. */
 class SlowGrowth
 {
  public:
@@ -58,8 +58,14 @@ class SlowGrowth
 
   std::map<Key, int> grow()
   {
-    for (const auto& entry : m_heights)
-      if (!m_planes.count(entry.first)) growFrom(entry.first);
+    for (const double share : {0.5, 1.0})
+    {
+      m_now = m_search;
+      m_now.tolerance = share * m_search.tolerance;
+      m_seedPlane = SeedPlane(m_now);
+      for (const auto& entry : m_heights)
+        if (!m_planes.count(entry.first)) growFrom(entry.first);
+    }
     return m_planes;
   }
 
@@ -71,8 +77,10 @@ class SlowGrowth
     const auto found = m_seedPlane.find(cell);
     if (!found) return;
     PlaneMoments moments;
-    if (!flood(seed, *found, moments)) return;
-    if (!flood(seed, moments.fit(), moments)) return;
+    if (!flood(seed, *found, m_now.tolerance, moments)) return;
+    const bool isStrict = m_now.tolerance < m_search.tolerance;
+    if (isStrict && moments.rms() > 0.45 * m_now.tolerance) return;
+    if (!flood(seed, moments.fit(), m_search.tolerance, moments)) return;
     for (const Key& key : m_reached)
     {
       const CellRef reached = m_tiles.cell(key.second, key.first);
@@ -83,7 +91,7 @@ class SlowGrowth
   }
 
   /** \return whether it may be a plane */
-  bool flood(const Key& seed, const Plane& plane, PlaneMoments& moments)
+  bool flood(const Key& seed, const Plane& plane, double tolerance, PlaneMoments& moments)
   {
     m_reached.clear();
     std::map<Key, bool> seen;
@@ -91,7 +99,7 @@ class SlowGrowth
     {
       const auto found = m_heights.find(key);
       if (found == m_heights.end() || m_planes.count(key) || seen[key]) return;
-      if (std::abs(found->second - plane.at(key.second, key.first)) > m_search.tolerance) return;
+      if (std::abs(found->second - plane.at(key.second, key.first)) > tolerance) return;
       seen[key] = true;
       m_reached.push_back(key);
     };
@@ -110,7 +118,7 @@ class SlowGrowth
            isAllowed(moments.fit(), m_search);
   }
 
-  PlaneSearch m_search;
+  PlaneSearch m_search, m_now;
   SeedPlane m_seedPlane;
   Heights m_heights;
   TileMap m_tiles;
