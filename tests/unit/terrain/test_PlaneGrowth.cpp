@@ -46,40 +46,37 @@ Heights heights(std::mt19937& random)
   return heights;
 }
 
-/** One seed after the other, cell by cell: with half of the tolerance, then with all of it. */
+/** One seed after the other, cell by cell; first with half of the tolerance. */
 class SlowGrowth
 {
  public:
   SlowGrowth(const PlaneSearch& search, const Heights& heights)
-      : m_search(search), m_seedPlane(search), m_heights(heights)
+      : m_search(search), m_heights(heights)
   {
     for (const auto& [key, z] : heights) test::putCell(m_tiles, key.second, key.first, z);
   }
 
   std::map<Key, int> grow()
   {
-    for (const double share : {0.5, 1.0})
-    {
-      m_now = m_search;
-      m_now.tolerance = share * m_search.tolerance;
-      m_seedPlane = SeedPlane(m_now);
+    for (const double tolerance : {m_search.tolerance / 2, m_search.tolerance})
       for (const auto& entry : m_heights)
-        if (!m_planes.count(entry.first)) growFrom(entry.first);
-    }
+        if (!m_planes.count(entry.first)) growFrom(entry.first, tolerance);
     return m_planes;
   }
 
  private:
-  void growFrom(const Key& seed)
+  void growFrom(const Key& seed, double tolerance)
   {
+    PlaneSearch now = m_search;
+    now.tolerance = tolerance;
+    SeedPlane seedPlane(now);
     const CellRef cell = m_tiles.cell(seed.second, seed.first);
-    if (!m_seedPlane.isPromising(cell)) return;
-    const auto found = m_seedPlane.find(cell);
-    if (!found) return;
+    if (!seedPlane.isPromising(cell)) return;
+    const auto found = seedPlane.find(cell);
     PlaneMoments moments;
-    if (!flood(seed, *found, m_now.tolerance, moments)) return;
-    const bool isStrict = m_now.tolerance < m_search.tolerance;
-    if (isStrict && moments.rms() > 0.45 * m_now.tolerance) return;
+    if (!found || !flood(seed, *found, tolerance, moments)) return;
+    const bool isFlat = moments.rms() <= 0.45 * tolerance;
+    if (tolerance < m_search.tolerance && !isFlat) return;
     if (!flood(seed, moments.fit(), m_search.tolerance, moments)) return;
     for (const Key& key : m_reached)
     {
@@ -118,8 +115,7 @@ class SlowGrowth
            isAllowed(moments.fit(), m_search);
   }
 
-  PlaneSearch m_search, m_now;
-  SeedPlane m_seedPlane;
+  PlaneSearch m_search;
   Heights m_heights;
   TileMap m_tiles;
   std::map<Key, int> m_planes;
