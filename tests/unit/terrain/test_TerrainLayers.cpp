@@ -200,3 +200,17 @@ TEST(TerrainLayers, AStepInMidCellIsOccupiedAllAlong)
         for (const int x : {-10, 10}) EXPECT_EQ(at(layers.traversability, x, y), 0) << seed;
     }
 }
+
+/** Of a table most beams see the floor below it. */
+TEST(TerrainLayers, CellsWithAPointFarAboveTheirHeightAreOccupied)
+{
+  TerrainMap map(kCell);
+  for (int i = 0; i < 50; ++i) putAll(map, 0, 0, 19, 9, 0);
+  put(map, 9, 4, 0.75);
+  put(map, 4, 4, 0.15);
+  const TerrainLayers layers = layersOf(map);
+  ASSERT_NEAR(at(layers.height, 9, 4), 0, 0.02);
+  EXPECT_EQ(at(layers.traversability, 9, 4), 1);
+  EXPECT_EQ(at(layers.traversability, 10, 4), 0);
+  EXPECT_EQ(at(layers.traversability, 4, 4), 0) << "less than maxStep";
+}
