@@ -13,29 +13,38 @@ namespace
 constexpr double kSpacing = 1e-3;  // [m]
 constexpr double kExact = 1e-7;    // [m]
 
+double distance(const TPoint2D& a, const TPoint2D& b) { return std::hypot(b.x - a.x, b.y - a.y); }
+
 /** The ground along a line. */
 class Profile
 {
  public:
   Profile(const sim::World& world, const TPoint2D& from, const TPoint2D& to)
-      : m_world(world), m_from(from), m_length((to - from).norm()), m_along((to - from) / m_length)
+      : m_world(world),
+        m_x(from.x),
+        m_y(from.y),
+        m_length(distance(from, to)),
+        m_alongX((to.x - from.x) / m_length),
+        m_alongY((to.y - from.y) / m_length)
   {
   }
   double length() const { return m_length; }
-  const TPoint2D& along() const { return m_along; }
-  TPoint2D at(double way) const { return m_from + m_along * way; }
+  double alongX() const { return m_alongX; }
+  double alongY() const { return m_alongY; }
+  double x(double way) const { return m_x + m_alongX * way; }
+  double y(double way) const { return m_y + m_alongY * way; }
   /** \return the world's lower bound without a solid */
   double height(double way)
   {
-    m_world.solidsAt(at(way).x, at(way).y, m_solids);
+    m_world.solidsAt(x(way), y(way), m_solids);
     return m_solids.empty() ? m_world.min().z : m_solids.front().top;
   }
 
  private:
   const sim::World& m_world;
-  TPoint2D m_from;
+  double m_x, m_y;  //!< its start [m]
   double m_length;
-  TPoint2D m_along;
+  double m_alongX, m_alongY;
   std::vector<sim::Solid> m_solids;
 };
 
@@ -105,15 +114,17 @@ std::vector<TrueStep> trueSteps(const sim::World& world, const TPoint2D& from, c
                                 double jump)
 {
   params::require(jump > 0, "jump", jump, "a height > 0 m");
-  params::require((to - from).norm() > 0, "length of the line", (to - from).norm(), "> 0 m");
+  params::require(distance(from, to) > 0, "length of the line", distance(from, to), "> 0 m");
   Profile profile(world, from, to);
   const std::vector<Jump> jumps = jumpsOf(profile, jump);
   std::vector<TrueStep> steps;
   for (std::size_t i = 0; i < jumps.size(); ++i)
   {
     const bool isUp = jumps[i].rise > 0;
-    const TPoint2D place = profile.at(jumps[i].way), up = profile.along() * (isUp ? 1.0 : -1.0);
-    TrueStep step{place.x, place.y, up.x, up.y, std::abs(jumps[i].rise), NAN};
+    const double sign = isUp ? 1 : -1;
+    const double way = jumps[i].way;
+    TrueStep step{profile.x(way),          profile.y(way),          sign * profile.alongX(),
+                  sign * profile.alongY(), std::abs(jumps[i].rise), NAN};
     if (isUp && i + 1 < jumps.size()) step.depth = jumps[i + 1].way - jumps[i].way;
     if (!isUp && i > 0) step.depth = jumps[i].way - jumps[i - 1].way;
     steps.push_back(step);

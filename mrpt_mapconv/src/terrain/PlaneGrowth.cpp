@@ -72,14 +72,22 @@ class SeedOrder
 };
 }  // namespace
 
-bool PlaneGrowth::flood(const CellRef& seed, const Plane& plane)
+bool PlaneGrowth::flood(const CellRef& seed, const Plane& plane, double tolerance)
 {
   const auto open = [&](const Tile& tile, std::int32_t iy)
   {
     const auto y = static_cast<std::size_t>(iy);
-    return nearPlane(plane, m_search.tolerance, tile, iy, tile.known[y] & ~tile.assigned[y]);
+    return nearPlane(plane, tolerance, tile, iy, tile.known[y] & ~tile.assigned[y]);
   };
   return m_flood.from(seed, open) >= m_search.minCells;
+}
+
+/** Whether heights crowd about the plane, as those of a plane do; spread evenly over the band that
+ * is allowed, as mixed ones are, they would have an rms of 1/√3 of its half width. */
+bool PlaneGrowth::isFlat(const PlaneMoments& moments) const
+{
+  constexpr double kCrowded = 0.45;
+  return moments.rms() <= kCrowded * m_now.tolerance;
 }
 
 /** Whether what was reached is wide enough. */
@@ -98,13 +106,16 @@ bool PlaneGrowth::isWide(const PlaneMoments& moments) const
  * plane is no seed any more. */
 bool PlaneGrowth::growFrom(const CellRef& seed, PlaneSet& planes)
 {
-  if (!m_seedPlane.isPromising(seed)) return false;
-  const auto found = m_seedPlane.find(seed);
-  if (!found || !flood(seed, *found)) return false;
+  if (!m_seedPlane->isPromising(seed)) return false;
+  const auto found = m_seedPlane->find(seed);
+  if (!found || !flood(seed, *found, m_now.tolerance)) return false;
   PlaneMoments moments = m_flood.moments(seed);
   if (!moments.spans()) return false;
   const Plane fitted = moments.fit();
-  if (!isAllowed(fitted, m_search) || !flood(seed, fitted)) return false;
+  const bool isStrict = m_now.tolerance < m_search.tolerance;
+  if (!isAllowed(fitted, m_search) || (isStrict && !(isFlat(moments) && isWide(moments))) ||
+      !flood(seed, fitted, m_search.tolerance))
+    return false;
   moments = m_flood.moments(seed);
   if (!moments.spans() || !isAllowed(moments.fit(), m_search)) return false;
   if (!isWide(moments))
@@ -112,6 +123,13 @@ bool PlaneGrowth::growFrom(const CellRef& seed, PlaneSet& planes)
     reject();
     return false;
   }
+  assign(moments, planes);
+  return true;
+}
+
+/** Makes what was reached a plane. */
+void PlaneGrowth::assign(const PlaneMoments& moments, PlaneSet& planes)
+{
   const std::int32_t id = planes.add(moments);
   for (const Flood::Part& part : m_flood.parts())
   {
@@ -120,7 +138,6 @@ bool PlaneGrowth::growFrom(const CellRef& seed, PlaneSet& planes)
       forEachBit(part.reached[static_cast<std::size_t>(iy)],
                  [&](std::int32_t ix) { part.tile->assign(Tile::indexOf(ix, iy), id); });
   }
-  return true;
 }
 
 /** Seeds that were reached are none any more. */
@@ -149,8 +166,8 @@ void PlaneGrowth::lookAhead(const std::vector<CellRef>& seeds, int threads)
   grid::inParallel(seeds.size(), seeds.size() < kWorthThreads ? 1 : threads,
                    [&](std::size_t begin, std::size_t end)
                    {
-                     SeedPlane seedPlane(m_seedPlane);
-                     SmallFlood small(m_search);
+                     SeedPlane seedPlane(*m_seedPlane);
+                     SmallFlood small(m_now);
                      for (std::size_t i = begin; i < end; ++i)
                      {
                        m_hopeless[i] = true;
@@ -197,6 +214,17 @@ PlaneGrowth::KeyBox PlaneGrowth::reachedBox() const
 
 void PlaneGrowth::grow(const std::vector<TileCells>& seeds, PlaneSet& planes, int threads)
 {
+  if (seeds.empty()) return;
+  growWith(m_search.tolerance / 2, seeds, planes, threads);
+  growWith(m_search.tolerance, seeds, planes, threads);
+}
+
+void PlaneGrowth::growWith(double tolerance, const std::vector<TileCells>& seeds, PlaneSet& planes,
+                           int threads)
+{
+  m_now = m_search;
+  m_now.tolerance = tolerance;
+  m_seedPlane.emplace(m_now);
   SeedOrder order(seeds);
   m_rejected.clear();
   std::vector<CellRef> next;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -73,7 +74,9 @@ std::size_t TerrainMap::cells() const { return m_impl->cells; }
 
 std::int32_t TerrainMap::keyOf(double x) const
 {
-  return static_cast<std::int32_t>(std::floor(x / m_impl->resolution + 0.5));
+  using Keys = std::numeric_limits<std::int32_t>;
+  const double key = std::floor(x / m_impl->resolution + 0.5);
+  return key > Keys::min() && key <= Keys::max() ? static_cast<std::int32_t>(key) : Keys::min();
 }
 
 std::optional<TerrainCell> TerrainMap::cell(std::int32_t kx, std::int32_t ky) const

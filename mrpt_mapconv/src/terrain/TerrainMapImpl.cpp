@@ -23,9 +23,8 @@ PlaneSearch searchFor(const TerrainParams& params, double resolution)
   search.hypotheses = params.hypotheses;
   search.blockCells = params.blockCells;
   search.minCells = params.minPlaneCells;
-  const double width = std::ceil(params.minPlaneWidth / resolution);
-  search.minWidth =
-      width == 0 ? 1 : static_cast<std::int32_t>(std::min<double>(kTileSide, width + 1));
+  const double width = std::round(params.minPlaneWidth / resolution);
+  search.minWidth = static_cast<std::int32_t>(std::clamp<double>(width, 1, kTileSide));
   return search;
 }
 }  // namespace

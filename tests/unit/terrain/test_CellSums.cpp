@@ -87,12 +87,14 @@ TEST(CellSums, FullOnesTakeNoMoreAndStayRight)
   }
 }
 
-/** Heights about 0 never fill Σ w·z, so Σ w has to hold on its own. */
+/** Heights about 0 never fill Σ w·z: as many of the surest points as can be counted. */
 TEST(CellSums, FusedHeightOfManyPointsAboutZero)
 {
   CellSums sums;
-  sums.weight = std::uint64_t{1} << 62;  // as of 3e11 points
-  sums.points = 1;
-  for (int i = 0; i < 10; ++i) sums.add(0, 16000000);
+  sums.points = 4000000000u;
+  sums.weight = std::uint64_t{sums.points} * 16000000u;
+  for (int i = 0; i < 10; ++i) sums.add(i % 2, 16000000);
   EXPECT_EQ(sums.fusedZ(), 0);
+  sums.weightedHeight = -static_cast<std::int64_t>(sums.weight);
+  EXPECT_EQ(sums.fusedZ(), -1);
 }

@@ -84,6 +84,27 @@ TEST(Leaves, GrowAsLargeAsTheirPlane)
   EXPECT_EQ(map.at(130 * kCell, 1 * kCell)->leafSide, 64);
 }
 
+/** One of the 16 tiles is another plane. */
+TEST(Leaves, OfSeveralTilesLieInOnePlane)
+{
+  for (const int other : {0, 1, 2, 3})
+  {
+    TerrainMap map(kCell);
+    const int x0 = 64 + 32 * (other % 2), y0 = 64 + 32 * (other / 2);
+    putAll(map, 0, 0, 127, 127,
+           [&](int x, int y) { return x >= x0 && x < x0 + 32 && y >= y0 && y < y0 + 32 ? 1 : 0; });
+    map.update();
+    EXPECT_EQ(map.planes().size(), 2u);
+    EXPECT_EQ(map.leaves(), 7u) << "three of 64 cells and four of 32";
+    const auto leaves = allLeaves(map);
+    const auto wanted = oracle::leavesOf(oracle::planesOfCells(map));
+    ASSERT_EQ(leaves.size(), wanted.size());
+    for (std::size_t i = 0; i < leaves.size(); ++i)
+      EXPECT_TRUE((oracle::TerrainSquare{leaves[i].x, leaves[i].y, leaves[i].side,
+                                         leaves[i].plane} == wanted[i]));
+  }
+}
+
 TEST(Leaves, CellsWithoutAPlaneHaveTheirOwnHeight)
 {
   TerrainMap map(kCell);

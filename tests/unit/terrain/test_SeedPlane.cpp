@@ -4,25 +4,19 @@
 #include <functional>
 
 #include "../mrpt_mapconv/src/terrain/SeedPlane.h"
-#include "../mrpt_mapconv/src/terrain/TileMap.h"
+#include "HandTiles.h"
 
 namespace
 {
 using namespace mrpt_mapconv::terrain;
+using mrpt_mapconv::test::putCell;
 
 using HeightAt = std::function<std::int32_t(int, int)>;
-
-void put(TileMap& tiles, int x, int y, std::int32_t z)
-{
-  Tile& tile = tiles.get(x >> kTileBits, y >> kTileBits);
-  tile.known[static_cast<std::size_t>(y & kTileMask)] |= RowBits{1} << (x & kTileMask);
-  tile.height[Tile::indexOf(x & kTileMask, y & kTileMask)] = z;
-}
 
 void putSquare(TileMap& tiles, int x0, int y0, int side, const HeightAt& heightAt)
 {
   for (int y = y0; y < y0 + side; ++y)
-    for (int x = x0; x < x0 + side; ++x) put(tiles, x, y, heightAt(x, y));
+    for (int x = x0; x < x0 + side; ++x) putCell(tiles, x, y, heightAt(x, y));
 }
 
 /** d = 1000 units, as steep as 2000 units a cell. */
@@ -77,12 +71,12 @@ TEST(SeedPlane, FindsNoneWhereCellsAreOnOneLine)
   TileMap row, column, two, one;
   for (int i = -20; i < 20; ++i)
   {
-    put(row, i, 3, 0);
-    put(column, 3, i, 0);
+    putCell(row, i, 3, 0);
+    putCell(column, 3, i, 0);
   }
-  put(two, 3, 3, 0);
-  put(two, 4, 3, 0);
-  put(one, 3, 3, 0);
+  putCell(two, 3, 3, 0);
+  putCell(two, 4, 3, 0);
+  putCell(one, 3, 3, 0);
   SeedPlane seedPlane(search(4));
   for (TileMap* tiles : {&row, &column, &two, &one})
     EXPECT_FALSE(seedPlane.find(tiles->cell(3, 3)));
@@ -111,13 +105,36 @@ TEST(SeedPlane, LooksOnlyAtCellsWithoutAPlane)
   }
 }
 
+/** On cells that look alike from everywhere: which are drawn follows from both keys. */
+TEST(SeedPlane, DrawsOtherCellsForOtherSeeds)
+{
+  TileMap tiles;
+  putSquare(tiles, 0, 0, 64, [](int x, int y) { return x % 2 * 700 + y % 2 * 1300; });
+  PlaneSearch one = search(4);
+  one.hypotheses = 1;
+  SeedPlane seedPlane(one);
+  int byX = 0, byY = 0;
+  const auto slopeAt = [&](int x, int y)
+  {
+    const auto plane = seedPlane.find(tiles.cell(x, y));
+    return plane ? plane->slopeX : 1e9;
+  };
+  for (int i = 10; i < 50; i += 2)
+  {
+    byX += slopeAt(i, 20) != slopeAt(i + 2, 20) ? 1 : 0;
+    byY += slopeAt(20, i) != slopeAt(20, i + 2) ? 1 : 0;
+  }
+  EXPECT_GT(byX, 10);
+  EXPECT_GT(byY, 10);
+}
+
 /** What is random follows from the seed's key, not from what was asked for before. */
 TEST(SeedPlane, IsTheSameWheneverItIsAskedFor)
 {
   TileMap tiles;
   putSquare(tiles, 0, 0, 40, [](int x, int y) { return 971 * x * y % 3001; });
   SeedPlane first(search(4)), second(search(4));
-  int different = 0;
+  int byX = 0, byY = 0;
   for (int key = 5; key < 35; ++key)
   {
     for (int other = 0; other < key % 3; ++other) second.find(tiles.cell(other, other));
@@ -126,9 +143,11 @@ TEST(SeedPlane, IsTheSameWheneverItIsAskedFor)
     if (!a) continue;
     EXPECT_EQ(a->slopeX, b->slopeX);
     EXPECT_EQ(a->slopeY, b->slopeY);
-    different += a->slopeX != first.find(tiles.cell(key - 1, key))->slopeX ? 1 : 0;
+    byX += a->slopeX != first.find(tiles.cell(key - 1, key))->slopeX ? 1 : 0;
+    byY += a->slopeX != first.find(tiles.cell(key, key - 1))->slopeX ? 1 : 0;
   }
-  EXPECT_GT(different, 10);
+  EXPECT_GT(byX, 10);
+  EXPECT_GT(byY, 10);
 }
 
 TEST(SeedPlane, OneHypothesisAndBlocksOfAnySizeDo)

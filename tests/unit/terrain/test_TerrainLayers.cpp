@@ -82,6 +82,18 @@ TEST(TerrainLayers, CellsBesideAStepAreOccupied)
   EXPECT_EQ(at(layers.traversability, 8, 3), 0);
 }
 
+/** A post: its 8 neighbours and itself, nothing else. */
+TEST(TerrainLayers, CellsAroundAHigherOneAreOccupied)
+{
+  TerrainMap map(kCell);
+  putAll(map, 0, 0, 10, 10, [](int x, int y) { return x == 5 && y == 5 ? 1 : 0; });
+  const TerrainLayers layers = layersOf(map);
+  for (int y = 0; y <= 10; ++y)
+    for (int x = 0; x <= 10; ++x)
+      EXPECT_EQ(at(layers.traversability, x, y), std::abs(x - 5) <= 1 && std::abs(y - 5) <= 1)
+          << x << ", " << y;
+}
+
 TEST(TerrainLayers, AStepOfMaxStepIsFree)
 {
   TerrainMap map(kCell);

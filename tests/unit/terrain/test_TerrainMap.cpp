@@ -24,6 +24,8 @@ TEST(TerrainMap, KeysAreThoseOfCellsCentredOnMultiplesOfTheResolution)
   EXPECT_EQ(map.keyOf(-0.375), -1);
   EXPECT_EQ(map.keyOf(1e6), 4000000);
   EXPECT_EQ(map.keyOf(-1e6), -4000000);
+  for (const double beyond : {1e12, -1e12, std::numeric_limits<double>::quiet_NaN()})
+    EXPECT_EQ(map.keyOf(beyond), std::numeric_limits<std::int32_t>::min());
 }
 
 TEST(TerrainMap, PointsOnBordersGoToTheCellAbove)

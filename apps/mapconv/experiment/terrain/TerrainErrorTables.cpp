@@ -116,35 +116,40 @@ std::string rmsAndBias(const eval::ErrorSummary& errors)
   return millimetres(errors.rms) + " (" + millimetres(errors.bias) + ")";
 }
 
-Table planeTable(const TerrainResults& results)
+Table planeTable(const TerrainResults& results, const TerrainExperimentSettings& settings)
 {
   Table table{"plane_residuals",
-              "Heights against the largest true planes, away from jumps: rms (bias), millimetres",
-              {"world", "L [m]", "plane at [m]", "slope", "cells"},
+              "Heights against the largest true planes at L = " + metres(settings.pictured) +
+                  " m, away from jumps: rms (bias), millimetres",
+              {"world", "plane at [m]", "slope", "cells"},
               {}};
   for (const std::string& name : heightsNames()) table.header.push_back(name);
   for (const TerrainWorldResult& result : results)
     for (const TerrainRun& run : result.runs)
+    {
+      if (run.resolution != settings.pictured) continue;
       for (const PlaneErrors& plane : run.planes)
       {
-        std::vector<std::string> row = {result.world.name, metres(run.resolution),
-                                        middleOf(plane.plane), fixed(plane.plane.slope(), 2),
+        std::vector<std::string> row = {result.world.name, middleOf(plane.plane),
+                                        fixed(plane.plane.slope(), 2),
                                         std::to_string(plane.errors.front().cells)};
         for (const auto& errors : plane.errors) row.push_back(rmsAndBias(errors));
         table.addRow(row);
       }
+    }
   table.note = "With the worlds' pose noise. A plane is named by its middle, x y z.";
   return table;
 }
 }  // namespace
 
-void addHeightErrors(const TerrainResults& results, Report& report)
+void addHeightErrors(const TerrainResults& results, const TerrainExperimentSettings& settings,
+                     Report& report)
 {
   report.addHeading("Heights");
   report.addTable(clearTable(results));
   report.addTable(farTable(results));
   report.addTable(apartTable(results));
-  report.addTable(planeTable(results));
+  report.addTable(planeTable(results, settings));
 }
 
 void addRealScans(const std::vector<RealTerrain>& runs, Report& report)

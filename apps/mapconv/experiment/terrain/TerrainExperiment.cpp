@@ -74,7 +74,7 @@ void runTerrainExperiment(const ExperimentJob& job, Report& report)
                                 result.world.name.c_str(), result.scans,
                                 1e-6 * static_cast<double>(result.points)));
   addTimes(results, settings, report);
-  addHeightErrors(results, report);
+  addHeightErrors(results, settings, report);
   addSizes(results, report);
   addPlanes(results, settings, report);
   addSteps(results, settings, report);

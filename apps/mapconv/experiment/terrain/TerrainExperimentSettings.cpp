@@ -63,7 +63,7 @@ std::vector<std::string> readRun(const ExperimentJob& job, TerrainExperimentSett
 {
   StrictSection section(job.ini, "experiment");
   section.ignore("kind");
-  const auto worlds = readWords(section, "worlds");
+  auto worlds = readWords(section, "worlds");
   if (worlds.empty()) throw std::runtime_error("section 'experiment': worlds = NAME… is missing");
   if (std::set<std::string>(worlds.begin(), worlds.end()).size() != worlds.size())
     section.fail("worlds", "each world once");
@@ -114,7 +114,7 @@ TerrainWorld readWorld(const ExperimentJob& job, const std::string& name)
     throw std::runtime_error("section 'experiment': worlds names '" + name +
                              "', but there is no such section");
   StrictSection section(job.ini, name);
-  const TerrainWorld world{name, readFile(section, job), {}};
+  TerrainWorld world{name, readFile(section, job), {}};
   section.refuseUnknown("a world of this experiment");
   return world;
 }

@@ -54,7 +54,7 @@ struct TerrainExperimentSettings
   double octoMapFrom = 0.05;      //!< finest resolution that octomaps are made at [m]
   int octoMapEvery = 1;           //!< every how manyth scan they get
   double judgedSteps = 0.02;      //!< coarsest resolution at which stairs have targets [m]
-  double pictured = 0.02;         //!< resolution of pictures [m]
+  double pictured = 0.02;         //!< resolution of pictures, and of tables of planes and steps [m]
   std::size_t largestPlanes = 6;  //!< of a world, whose residuals are shown
   mrpt_mapconv::terrain::TerrainParams params;  //!< of all maps
   double overlap = 0.8;                         //!< of planes that are the same

@@ -23,7 +23,8 @@ std::string millimetres(double value);
 void addTimes(const TerrainResults& results, const TerrainExperimentSettings& settings,
               Report& report);
 /** Errors of heights against the truth, with each noise of poses, and plane by plane. */
-void addHeightErrors(const TerrainResults& results, Report& report);
+void addHeightErrors(const TerrainResults& results, const TerrainExperimentSettings& settings,
+                     Report& report);
 /** Leaves, memory and queries beside the flat grid. */
 void addSizes(const TerrainResults& results, Report& report);
 /** Recall and precision of planes. */

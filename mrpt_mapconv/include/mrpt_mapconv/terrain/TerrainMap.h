@@ -146,7 +146,8 @@ class TerrainMap
   /** The frame of all known cells. */
   grid::GridFrame frame() const;
   std::optional<TerrainCell> cell(std::int32_t kx, std::int32_t ky) const;
-  /** The key of the cell that holds a coordinate: floor(x/L + 0.5). */
+  /** The key of the cell that holds a coordinate: floor(x/L + 0.5). Of NaN, and of what is beyond
+   * numbers, the lowest one, which no cell has. */
   std::int32_t keyOf(double x) const;
 
   // --- planes and leaves

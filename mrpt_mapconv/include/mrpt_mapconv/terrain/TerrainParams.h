@@ -26,16 +26,16 @@ constexpr std::int32_t kMostHypotheses = 64;
 struct TerrainParams
 {
   HeightRule heightRule = HeightRule::Fused;
-  double planeTolerance = 0.03;  //!< d [m]
+  double planeTolerance = 0.02;  //!< d [m]
   double planeWindow = 0.2;      //!< half its side [m]
   std::int32_t hypotheses = 12;  //!< K
   std::int32_t blockCells = 8;   //!< B
   std::int32_t minPlaneCells = 12;
-  double minPlaneWidth = 0.1;  //!< [m]
-  double maxPlaneSlope = 1.0;  //!< [m/m]
-  double maxSlope = 0.5;       //!< [m/m]
-  double maxStep = 0.2;        //!< [m]
-  double localWindow = 0;      //!< [m]; 0: none
+  double minPlaneWidth = 0.15;  //!< [m]
+  double maxPlaneSlope = 1.0;   //!< [m/m]
+  double maxSlope = 0.5;        //!< [m/m]
+  double maxStep = 0.2;         //!< [m]
+  double localWindow = 0;       //!< [m]; 0: none
 
   template <class S, class V>
   static void visit(S& p, V&& v)
@@ -53,7 +53,8 @@ struct TerrainParams
       "after so many cells half of the hypotheses are given up", flag("N"));
     v("minPlaneCells", p.minPlaneCells, "cells", "a plane has at least so many", flag("N"));
     v("minPlaneWidth", p.minPlaneWidth, "m",
-      "a plane is wider than this somewhere; what lies between two planes, at an edge, is not",
+      "a plane fills most of a square of this side; what lies between two planes, at an edge, does "
+      "not",
       flag("M"));
     v("maxPlaneSlope", p.maxPlaneSlope, "m/m", "steepest plane; what is steeper stays single cells",
       flag("SLOPE"));
