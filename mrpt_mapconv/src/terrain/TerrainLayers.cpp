@@ -61,6 +61,22 @@ void TerrainMap::Impl::fillLeaf(const Leaf& leaf, const Tile& tile, TerrainLayer
               });
 }
 
+/** Marks cells in which something stands or hangs above the height that its points have on average,
+ * as a table does of which some beams see the top and some the floor below. */
+void TerrainMap::Impl::markWhatStands(const Tile& tile, TerrainLayers& layers) const
+{
+  for (std::int32_t iy = 0; iy < kTileSide; ++iy)
+    forEachBit(tile.known[static_cast<std::size_t>(iy)],
+               [&](std::int32_t ix)
+               {
+                 const std::size_t at =
+                     layers.height.frame().indexOfKey(tile.keyX(ix), tile.keyY(iy));
+                 const double above = kHeightUnit * tile.sums[Tile::indexOf(ix, iy)].highestZ() -
+                                      static_cast<double>(layers.height.cells()[at]);
+                 if (above > params.maxStep) layers.traversability.cells()[at] = 1;
+               });
+}
+
 TerrainLayers TerrainMap::layers() const
 {
   const grid::GridFrame all = frame();
@@ -71,6 +87,7 @@ TerrainLayers TerrainMap::layers() const
   for (const Tile* tile : m_impl->tiles.sorted())
     m_impl->tree.forEachOf(*tile, [&](const Leaf& leaf) { m_impl->fillLeaf(leaf, *tile, layers); });
   layers.traversability = traversabilityOf(layers, m_impl->params);
+  for (const Tile* tile : m_impl->tiles.sorted()) m_impl->markWhatStands(*tile, layers);
   return layers;
 }
 

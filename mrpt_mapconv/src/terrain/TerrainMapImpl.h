@@ -78,6 +78,7 @@ class TerrainMap::Impl
     return id == kNoPlane ? kNoPlane : indices[static_cast<std::size_t>(id)];
   }
   void fillLeaf(const Leaf& leaf, const Tile& tile, TerrainLayers& layers) const;
+  void markWhatStands(const Tile& tile, TerrainLayers& layers) const;
   /** Of a cell's height [m²]. */
   double varianceOf(const CellSums& sums) const
   {

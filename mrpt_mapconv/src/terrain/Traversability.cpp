@@ -7,6 +7,8 @@
 #include <limits>
 #include <vector>
 
+#include "DropEdges.h"
+
 namespace mrpt_mapconv::terrain
 {
 namespace
@@ -90,6 +92,7 @@ grid::Layer<float> traversabilityOf(const TerrainLayers& layers, const TerrainPa
   if (frame.empty()) return out;
   const auto radius = static_cast<std::size_t>(std::max(1.0, std::ceil(kEdge / frame.resolution)));
   const auto around = rangesAround(layers.height, radius);
+  const auto atDrop = dropEdges(layers, params.maxStep, params.maxSlope);
   for (std::int32_t y = 0; y < frame.height; ++y)
     for (std::int32_t x = 0; x < frame.width; ++x)
     {
@@ -97,8 +100,8 @@ grid::Layer<float> traversabilityOf(const TerrainLayers& layers, const TerrainPa
       const auto slope = static_cast<double>(layers.slope.at(x, y));
       const std::size_t at = frame.indexOfKey(frame.x0 + x, frame.y0 + y);
       const bool isEdge = std::isnan(slope) && around[at].size() > params.maxStep;
-      const bool isOccupied =
-          isEdge || slope > params.maxSlope || isStep(layers.height, x, y, params.maxStep);
+      const bool isOccupied = isEdge || atDrop[at] || slope > params.maxSlope ||
+                              isStep(layers.height, x, y, params.maxStep);
       out.at(x, y) = isOccupied ? 1.0f : grid::kFree;
     }
   return out;

@@ -8,7 +8,8 @@ namespace mrpt_mapconv::terrain
  * - a cell whose plane is steeper than maxSlope;
  * - a cell with one of its 8 neighbours more than maxStep higher or lower;
  * - a cell without a plane where heights within 0.1 m around it differ by more than maxStep: at an
- *   edge noise mixes what is above with what is below, so that the step is spread over some cells.
+ *   edge noise mixes what is above with what is below, so that the step is spread over some cells;
+ * - a cell on the edge of a drop of more than maxStep whose foot nobody saw, see dropEdges().
  */
 grid::Layer<float> traversabilityOf(const TerrainLayers& layers, const TerrainParams& params);
 

@@ -96,7 +96,7 @@ TEST(CTerrainGridMap2D, TakesSinglePoints)
   mrpt::maps::CHeightGridMap2D_Base::TPointInsertParams later;
   later.update_map_after_insertion = false;
   later.pt_z_std = 0.5;
-  EXPECT_TRUE(map.insertIndividualPoint(1.5, 2, 4, later));
+  EXPECT_TRUE(map.insertIndividualPoint(1.5, 2, 3, later));
   EXPECT_EQ(map.getPos(1.5f, 2), 0.5f);
   map.dem_update_map();
   EXPECT_GT(map.getPos(1.5f, 2), 0.9f);

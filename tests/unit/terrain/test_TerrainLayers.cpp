@@ -1,6 +1,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <random>
+#include <utility>
+#include <vector>
 
 #include "HandTerrain.h"
 
@@ -102,4 +105,124 @@ TEST(TerrainLayers, OfAnEmptyMapAreEmpty)
 {
   TerrainMap map(kCell);
   EXPECT_TRUE(layersOf(map).height.frame().empty());
+}
+
+namespace
+{
+/** Of cells at that height, and others 4 rows of unseen cells (0.25 m) to the south of them. */
+TerrainLayers besideUnseen(double own, double beyond, int firstBeyond = -5)
+{
+  TerrainMap map(kCell);
+  putAll(map, 0, 0, 19, 9, own);
+  putAll(map, 0, firstBeyond - 9, 19, firstBeyond, beyond);
+  return layersOf(map);
+}
+
+/** What a scan makes of a level step in the middle of a cell, with noise along and across. */
+TerrainLayers noisyStep(double rise, unsigned seed)
+{
+  std::mt19937 random(seed);
+  std::normal_distribution<double> noise(0, 0.02);
+  std::uniform_real_distribution<double> along(-1, 1), across(0, 0.6), upright(0, rise);
+  TerrainMap map(kCell);
+  const auto put = [&](double x, double y, double z)
+  { map.insertPoint(x + noise(random), y + noise(random), z + noise(random), 0.02); };
+  for (int i = 0; i < 20000; ++i)
+  {
+    const double x = along(random);
+    put(x, across(random), x > 0 ? rise : 0);
+  }
+  for (int i = 0; i < 2000; ++i) put(0, across(random), upright(random));
+  return layersOf(map);
+}
+
+/** Whether a robot of one cell gets from the first column to the last, diagonally as well. */
+bool isWayAcross(const grid::Layer<float>& traversability)
+{
+  const grid::GridFrame& frame = traversability.frame();
+  std::vector<std::pair<int, int>> stack;
+  grid::Layer<float> left = traversability;
+  const auto enter = [&](int x, int y)
+  {
+    if (x < 0 || y < 0 || x >= frame.width || y >= frame.height || left.at(x, y) != 0) return;
+    left.at(x, y) = 1;
+    stack.emplace_back(x, y);
+  };
+  for (int y = 0; y < frame.height; ++y) enter(0, y);
+  while (!stack.empty())
+  {
+    const auto [x, y] = stack.back();
+    stack.pop_back();
+    if (x == frame.width - 1) return true;
+    for (int dy = -1; dy <= 1; ++dy)
+      for (int dx = -1; dx <= 1; ++dx) enter(x + dx, y + dy);
+  }
+  return false;
+}
+}  // namespace
+
+TEST(TerrainLayers, AnEdgeWhoseFootNobodySawIsOccupied)
+{
+  const TerrainLayers layers = besideUnseen(0, -0.3);
+  for (int x = 0; x < 20; ++x)
+  {
+    EXPECT_EQ(at(layers.traversability, x, 0), 1) << x;
+    EXPECT_EQ(at(layers.traversability, x, 1), 0) << x;
+    EXPECT_EQ(at(layers.traversability, x, -1), -1) << x;
+    EXPECT_EQ(at(layers.traversability, x, -5), 0) << "at the foot nobody falls";
+  }
+}
+
+TEST(TerrainLayers, AGapToGroundThatIsHardlyLowerIsNoEdge)
+{
+  EXPECT_EQ(at(besideUnseen(0, -0.18).traversability, 9, 0), 0);
+  EXPECT_EQ(at(besideUnseen(0, -0.3, -60).traversability, 9, 0), 0) << "too far away to tell";
+}
+
+TEST(TerrainLayers, ARampThatGoesOnBehindAGapIsNoEdge)
+{
+  TerrainMap map(kCell);
+  const auto ramp = [](int, int y) { return 0.4 * kCell * y; };
+  putAll(map, 0, 0, 19, 9, ramp);
+  putAll(map, 0, -30, 19, -15, ramp);
+  const TerrainLayers layers = layersOf(map);
+  for (int x = 0; x < 20; ++x) EXPECT_EQ(at(layers.traversability, x, 0), 0) << x;
+}
+
+/** Cells that noise has put beyond an edge are as much a trap as the edge. */
+TEST(TerrainLayers, StrayCellsBeyondAnEdgeAreOccupied)
+{
+  TerrainMap map(kCell);
+  putAll(map, 0, 0, 19, 9, 0);
+  putAll(map, 0, -14, 19, -6, -0.4);
+  put(map, 9, -1, -0.06);
+  const TerrainLayers layers = layersOf(map);
+  EXPECT_EQ(at(layers.traversability, 9, -1), 1);
+  EXPECT_EQ(at(layers.traversability, 9, 0), 1);
+}
+
+TEST(TerrainLayers, AStepInMidCellIsOccupiedAllAlong)
+{
+  for (const double rise : {0.3, -0.3})
+    for (unsigned seed = 1; seed <= 20; ++seed)
+    {
+      const TerrainLayers layers = noisyStep(rise, seed);
+      EXPECT_FALSE(isWayAcross(layers.traversability)) << "seed " << seed << ", rise " << rise;
+      for (int y = 1; y <= 11; ++y)
+        for (const int x : {-10, 10}) EXPECT_EQ(at(layers.traversability, x, y), 0) << seed;
+    }
+}
+
+/** Of a table most beams see the floor below it. */
+TEST(TerrainLayers, CellsWithAPointFarAboveTheirHeightAreOccupied)
+{
+  TerrainMap map(kCell);
+  for (int i = 0; i < 50; ++i) putAll(map, 0, 0, 19, 9, 0);
+  put(map, 9, 4, 0.75);
+  put(map, 4, 4, 0.15);
+  const TerrainLayers layers = layersOf(map);
+  ASSERT_NEAR(at(layers.height, 9, 4), 0, 0.02);
+  EXPECT_EQ(at(layers.traversability, 9, 4), 1);
+  EXPECT_EQ(at(layers.traversability, 10, 4), 0);
+  EXPECT_EQ(at(layers.traversability, 4, 4), 0) << "less than maxStep";
 }
