@@ -157,12 +157,12 @@ TEST(TerrainMap, CellsFurtherThanTheToleranceAreNotOfThePlane)
   TerrainMap map(kCell, params);
   putAll(map, 0, 0, 20, 20,
          [](int x, int y) {
-           return y != 10 ? 0 : x == 5 ? 0.019 : x == 15 ? 0.021 : 0;
+           return y != 10 ? 0 : x == 5 ? 0.029 : x == 15 ? 0.031 : 0;
          });
   map.update();
   EXPECT_EQ(planeAt(map, 5, 10), 0);
   EXPECT_EQ(planeAt(map, 15, 10), -1);
-  EXPECT_NEAR(map.at(15 * kCell, 10 * kCell)->height, 0.021, 1e-4);
+  EXPECT_NEAR(map.at(15 * kCell, 10 * kCell)->height, 0.031, 1e-4);
   EXPECT_NEAR(map.at(5 * kCell, 10 * kCell)->height, 0, 1e-3);
 }
 
