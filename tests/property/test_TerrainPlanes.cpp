@@ -40,6 +40,32 @@ TEST(TerrainPlanes, NoiseFreePlanesAreFoundInAnyOrder)
   }
 }
 
+/** Plates of 12 to 25 cells amid a floor, as many as there are: most cells around them are the
+ * floor's. */
+TEST(TerrainPlanes, SmallPlatesAreFoundAmidAFloor)
+{
+  for (unsigned seed = 1; seed <= 40 && !HasFailure(); ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Rng rng(seed);
+    oracle::TerrainLabels labels;
+    TerrainPoints points;
+    const int width = pick(rng, 3, 5), depth = pick(rng, 4, 5);
+    for (int y = 0; y < 40; ++y)
+      for (int x = 0; x < 40; ++x)
+      {
+        const bool isPlate = x % 10 >= 3 && x % 10 < 3 + width && y % 10 >= 3 && y % 10 < 3 + depth;
+        const int level = isPlate ? 1 + (x / 10 + y / 10) % 5 : 0;
+        labels[{y, x}] = level;
+        points.add(x, y, 0.14 * level);
+      }
+    TerrainMap map(RandomTerrain::kResolution, RandomTerrain::params());
+    map.insert(points.scan(), {});
+    map.extract(1);
+    expectPartition(map, oracle::truePlanes(labels, 12), "all at once");
+  }
+}
+
 /** Whatever was there before, a full extraction sees but cells. */
 TEST(TerrainPlanes, AFullExtractionForgetsHowItCameThere)
 {

@@ -16,6 +16,9 @@ std::uint64_t mixed(std::uint64_t v)
   return v ^ v >> 31;
 }
 
+/** As often cells are drawn anew for those that are not free: amid a floor few are. */
+constexpr int kMostDraws = 8;
+
 /** Hypotheses are worked on so many at once; what is beyond the last is not used. */
 constexpr std::size_t kLanes = 8;
 std::size_t padded(std::size_t count) { return (count + kLanes - 1) / kLanes * kLanes; }
@@ -108,15 +111,15 @@ bool SeedPlane::isPromising(const CellRef& seed) const
   return near >= needed;
 }
 
-/** \return how many of the drawn cells are known and free */
-std::size_t SeedPlane::draw(const CellRef& seed, std::size_t count, Drawn& out)
+/** Draws so many, and puts those that are known and free behind `cells` others. \return how many
+ * there are then */
+std::size_t SeedPlane::draw(const CellRef& seed, std::size_t count, std::size_t cells, Drawn& out)
 {
   const Place* places = m_places->data();
   const std::size_t area = m_places->size();
   const bool isWithin = isWithinTile(seed);
   const auto seedAt = static_cast<std::int32_t>(seed.index());
   const std::int32_t z = seed.tile->height[seed.index()];
-  std::size_t cells = 0;
   std::uint64_t bits = 0;
   for (std::size_t i = 0; i < count; ++i, bits >>= 16)
   {
@@ -143,8 +146,11 @@ std::size_t SeedPlane::draw(const CellRef& seed, std::size_t count, Drawn& out)
 /** Planes through the seed and two other cells; at most K. */
 std::size_t SeedPlane::makeHypotheses(const CellRef& seed)
 {
-  const std::size_t pairs =
-      draw(seed, 2 * static_cast<std::size_t>(m_search.hypotheses), m_drawn) / 2;
+  const auto wanted = 2 * static_cast<std::size_t>(m_search.hypotheses);
+  std::size_t cells = 0;
+  for (int time = 0; time < kMostDraws && cells < wanted; ++time)
+    cells = draw(seed, wanted - cells, cells, m_drawn);
+  const std::size_t pairs = cells / 2;
   slopesOf(m_drawn.dx.data(), m_drawn.dy.data(), m_drawn.dz.data(), pairs, m_gx.data(),
            m_gy.data());
   const auto most = static_cast<float>(m_search.mostSlope * m_search.mostSlope);
@@ -185,7 +191,7 @@ void SeedPlane::findWinner(const CellRef& seed, std::size_t hypotheses)
     while (left > 0)  // in parts that there is room for
     {
       const std::size_t part = std::min(left, m_drawn.dx.size());
-      const std::size_t cells = draw(seed, part, m_drawn);
+      const std::size_t cells = draw(seed, part, 0, m_drawn);
       addScores(m_gx.data(), m_gy.data(), m_score.data(), hypotheses, m_drawn.dx.data(),
                 m_drawn.dy.data(), m_drawn.dz.data(), cells,
                 static_cast<float>(m_search.tolerance));

@@ -31,11 +31,11 @@ inline bool isAllowed(const Plane& plane, const PlaneSearch& search)
 /** Preemptive RANSAC (Nistér 2003) for the plane of one cell.
  *
  * The window is the square of cells around the seed. Cells are drawn from it at random, again and
- * again; those that belong to a plane already, or are not known, are passed over. Of 2 K draws each
- * two that remain make a hypothesis, the plane through the seed and them, unless the three lie on
- * one line or the plane is too steep. The k ≤ K hypotheses are scored, Σ max(0, d − |vertical
- * difference|), on blocks of B more draws; after i draws max(1, ⌊k·2^(−⌊i/B⌋)⌋) remain, of equally
- * good ones the first. All that is random follows from the seed's key. */
+ * again; those that belong to a plane already, or are not known, are passed over. Each two that
+ * remain, of 2 K at most, make a hypothesis, the plane through the seed and them, unless the three
+ * lie on one line or the plane is too steep. The k ≤ K hypotheses are scored, Σ max(0, d −
+ * |vertical difference|), on blocks of B more draws; after i draws max(1, ⌊k·2^(−⌊i/B⌋)⌋) remain,
+ * of equally good ones the first. All that is random follows from the seed's key. */
 class SeedPlane
 {
  public:
@@ -56,7 +56,7 @@ class SeedPlane
   };
 
   std::uint64_t random();
-  std::size_t draw(const CellRef& seed, std::size_t count, Drawn& out);
+  std::size_t draw(const CellRef& seed, std::size_t count, std::size_t cells, Drawn& out);
   std::size_t makeHypotheses(const CellRef& seed);
   void findWinner(const CellRef& seed, std::size_t hypotheses);
   std::size_t keepBest(std::size_t hypotheses, std::size_t kept);
