@@ -103,7 +103,7 @@ bool PlaneGrowth::isWide(const PlaneMoments& moments) const
 }
 
 /** Grows a plane by flood fill, refits it once and grows it once more. What is too narrow for a
- * plane is no seed any more. */
+ * plane, or not flat enough for the first try, is no seed any more. */
 bool PlaneGrowth::growFrom(const CellRef& seed, PlaneSet& planes)
 {
   if (!m_seedPlane->isPromising(seed)) return false;
@@ -113,9 +113,13 @@ bool PlaneGrowth::growFrom(const CellRef& seed, PlaneSet& planes)
   if (!moments.spans()) return false;
   const Plane fitted = moments.fit();
   const bool isStrict = m_now.tolerance < m_search.tolerance;
-  if (!isAllowed(fitted, m_search) || (isStrict && !(isFlat(moments) && isWide(moments))) ||
-      !flood(seed, fitted, m_search.tolerance))
+  if (!isAllowed(fitted, m_search)) return false;
+  if (isStrict && !(isFlat(moments) && isWide(moments)))
+  {
+    reject();
     return false;
+  }
+  if (!flood(seed, fitted, m_search.tolerance)) return false;
   moments = m_flood.moments(seed);
   if (!moments.spans() || !isAllowed(moments.fit(), m_search)) return false;
   if (!isWide(moments))

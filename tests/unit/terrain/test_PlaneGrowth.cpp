@@ -4,6 +4,7 @@
 #include <cmath>
 #include <map>
 #include <random>
+#include <set>
 #include <utility>
 #include <vector>
 
@@ -59,8 +60,12 @@ class SlowGrowth
   std::map<Key, int> grow()
   {
     for (const double tolerance : {m_search.tolerance / 2, m_search.tolerance})
+    {
+      m_rejected.clear();
       for (const auto& entry : m_heights)
-        if (!m_planes.count(entry.first)) growFrom(entry.first, tolerance);
+        if (!m_planes.count(entry.first) && !m_rejected.count(entry.first))
+          growFrom(entry.first, tolerance);
+    }
     return m_planes;
   }
 
@@ -76,7 +81,8 @@ class SlowGrowth
     PlaneMoments moments;
     if (!found || !flood(seed, *found, tolerance, moments)) return;
     const bool isFlat = moments.rms() <= 0.45 * tolerance;
-    if (tolerance < m_search.tolerance && !isFlat) return;
+    if (tolerance < m_search.tolerance && !isFlat)
+      return m_rejected.insert(m_reached.begin(), m_reached.end());
     if (!flood(seed, moments.fit(), m_search.tolerance, moments)) return;
     for (const Key& key : m_reached)
     {
@@ -120,6 +126,7 @@ class SlowGrowth
   TileMap m_tiles;
   std::map<Key, int> m_planes;
   std::vector<Key> m_reached;
+  std::set<Key> m_rejected;
   int m_count = 0;
 };
 }  // namespace
