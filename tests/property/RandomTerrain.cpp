@@ -48,6 +48,13 @@ RandomTerrain::RandomTerrain(Rng& rng)
   dropNarrowPlanes();
 }
 
+terrain::TerrainParams RandomTerrain::params()
+{
+  terrain::TerrainParams params;
+  params.planeTolerance = 0.03;
+  return params;
+}
+
 RandomTerrain::Piece RandomTerrain::somewhere(Rng& rng, int least, int most) const
 {
   Piece piece;

@@ -32,7 +32,8 @@ class RandomTerrain
 {
  public:
   static constexpr double kResolution = 0.05;  // [m]
-  static constexpr double kTolerance = 0.03;   // [m]
+  /** Of maps that can tell its planes apart. */
+  static terrain::TerrainParams params();
 
   explicit RandomTerrain(Rng& rng);
 

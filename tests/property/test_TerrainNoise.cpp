@@ -105,7 +105,7 @@ TEST(TerrainNoise, CopiesGoOnAlike)
     SCOPED_TRACE("seed " + std::to_string(seed));
     Rng rng(seed);
     const TerrainPoints points = RandomTerrain(rng).noisyPoints(rng, 0.01);
-    TerrainMap map(RandomTerrain::kResolution);
+    TerrainMap map(RandomTerrain::kResolution, RandomTerrain::params());
     for (const TerrainPoints& scan : asScans(rng, points))
     {
       TerrainMap copy(map);

@@ -22,13 +22,13 @@ TEST(TerrainPlanes, NoiseFreePlanesAreFoundInAnyOrder)
     Rng rng(seed);
     const RandomTerrain terrain(rng);
     const auto truth = oracle::truePlanes(terrain.labels(), 12);
-    TerrainMap full(RandomTerrain::kResolution);
+    TerrainMap full(RandomTerrain::kResolution, RandomTerrain::params());
     full.insert(terrain.points().scan(), {});
     full.extract(1 + static_cast<int>(seed % 3));
     expectPartition(full, truth, "all at once");
     for (int order = 0; order < 2; ++order)
     {
-      TerrainMap map(RandomTerrain::kResolution);
+      TerrainMap map(RandomTerrain::kResolution, RandomTerrain::params());
       for (const TerrainPoints& scan : asScans(rng, terrain.points()))
       {
         map.insert(scan.scan(), {});
@@ -48,7 +48,7 @@ TEST(TerrainPlanes, AFullExtractionForgetsHowItCameThere)
     SCOPED_TRACE("seed " + std::to_string(seed));
     Rng rng(seed);
     const TerrainPoints points = RandomTerrain(rng).noisyPoints(rng, 0.01);
-    TerrainMap once(RandomTerrain::kResolution), grown(RandomTerrain::kResolution);
+    TerrainMap once(RandomTerrain::kResolution, RandomTerrain::params()), grown(once);
     for (const TerrainPoints& scan : asScans(rng, points, 1))
     {
       grown.insert(scan.scan(), {});
@@ -68,7 +68,7 @@ TEST(TerrainPlanes, AnyNumberOfThreadsGivesTheSame)
     SCOPED_TRACE("seed " + std::to_string(seed));
     Rng rng(seed);
     const TerrainPoints points = RandomTerrain(rng).noisyPoints(rng, 0.005 * pick(rng, 0, 8));
-    TerrainMap one(RandomTerrain::kResolution), two(one), three(one);
+    TerrainMap one(RandomTerrain::kResolution, RandomTerrain::params()), two(one), three(one);
     for (const TerrainPoints& scan : asScans(rng, points))
     {
       for (TerrainMap* map : {&one, &two, &three}) map->insert(scan.scan(), {});
@@ -88,7 +88,7 @@ TEST(TerrainPlanes, AgreeWithExhaustiveSearchOnSmallMaps)
   {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Rng rng(seed);
-    TerrainMap map(RandomTerrain::kResolution);
+    TerrainMap map(RandomTerrain::kResolution, RandomTerrain::params());
     oracle::TerrainHeights heights;
     const int xBorder = pick(rng, 4, 7), yBorder = pick(rng, 4, 7);
     const double slope = 0.03 * pick(rng, -1, 1);

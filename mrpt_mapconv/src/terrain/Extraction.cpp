@@ -56,7 +56,7 @@ void Extraction::settleBorders(int threads)
 void Extraction::follow(OpenCells open, int threads)
 {
   refit();
-  if (m_planes.end() > 0)
+  if (!open.areAllCells)
   {
     m_borders.absorb(open.all);
     refit();

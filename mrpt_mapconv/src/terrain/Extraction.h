@@ -11,6 +11,7 @@ struct OpenCells
 {
   std::vector<TileCells> all;    //!< that might join a plane
   std::vector<TileCells> seeds;  //!< from which new ones are looked for
+  bool areAllCells = false;      //!< of the map
 };
 
 /** Has planes follow the cells that have changed. */

@@ -22,9 +22,8 @@ bool isInside(const CellRef& cell, std::int32_t reach)
 }
 }  // namespace
 
-InnerPlane::InnerPlane(const TerrainPlane& all, const std::vector<CellRef>& cells,
-                       std::int64_t minCells, double resolution)
-    : m_all(all), m_resolution(resolution)
+TerrainPlane innerPlane(const TerrainPlane& all, const std::vector<CellRef>& cells,
+                        std::int64_t minCells, double resolution)
 {
   const double border = std::min<double>(std::ceil(kBorder / resolution), kTileSide - 1);
   const CellRef& first = cells.front();
@@ -32,14 +31,16 @@ InnerPlane::InnerPlane(const TerrainPlane& all, const std::vector<CellRef>& cell
   for (const CellRef& cell : cells)
     if (isInside(cell, static_cast<std::int32_t>(border)))
       moments.add(cell.keyX(), cell.keyY(), cell.tile->height[cell.index()]);
-  if (moments.cells() >= minCells && moments.spans()) m_inner = moments.fit();
-}
-
-double InnerPlane::heightAt(double x, double y) const
-{
-  if (!m_inner) return m_all.heightAt(x, y);
-  return kHeightUnit * (m_inner->height + m_inner->slopeX * (x / m_resolution - m_inner->originX) +
-                        m_inner->slopeY * (y / m_resolution - m_inner->originY));
+  if (moments.cells() < minCells || !moments.spans()) return all;
+  const Plane fitted = moments.fit();
+  TerrainPlane inner = all;
+  inner.slopeX = fitted.slopeX * kHeightUnit / resolution;
+  inner.slopeY = fitted.slopeY * kHeightUnit / resolution;
+  inner.x = moments.meanX() * resolution;
+  inner.y = moments.meanY() * resolution;
+  inner.z = kHeightUnit * (fitted.height + fitted.slopeX * (moments.meanX() - fitted.originX) +
+                           fitted.slopeY * (moments.meanY() - fitted.originY));
+  return inner;
 }
 
 }  // namespace mrpt_mapconv::terrain

@@ -119,6 +119,7 @@ RowBits TerrainMap::Impl::seedsOf(Tile& tile, std::int32_t iy, RowBits open)
 OpenCells TerrainMap::Impl::takeChanges()
 {
   OpenCells open;
+  open.areAllCells = allOpen;
   for (Tile* tile : tiles.sorted())
   {
     if (!tile->hasChanged && !allOpen) continue;

@@ -99,6 +99,19 @@ void addMeetings(Tile& tile, const TerrainMap& map, const std::vector<std::int32
   }
 }
 
+/** The height of a plane at its edge. Mixed heights tilt small planes, to one side at the lower
+ * edge of a tread and to the other at its upper one: what is no steeper than the tolerance explains
+ * is taken for level. */
+double heightFor(const TerrainPlane& plane, double x, double y, double tolerance)
+{
+  constexpr double kSmall = 0.5;  // [m]
+  constexpr double kEdges = 3;    // times the tolerance, from one edge to the other
+  const double width = plane.xMax - plane.xMin, depth = plane.yMax - plane.yMin;
+  const double rise = std::abs(plane.slopeX) * width + std::abs(plane.slopeY) * depth;
+  return std::min(width, depth) <= kSmall && rise <= kEdges * tolerance ? plane.z
+                                                                        : plane.heightAt(x, y);
+}
+
 /** How far a plane reaches in a direction: the median over lines in that direction, each a cell
  * apart [m]. */
 double depthOf(const std::vector<CellRef>& cells, double directionX, double directionY,
@@ -149,9 +162,9 @@ std::vector<TerrainStep> TerrainMap::steps() const
                  });
   }
   const double size = resolution();
-  std::vector<InnerPlane> inner;
+  std::vector<TerrainPlane> inner;
   for (std::size_t i = 0; i < cells.size(); ++i)
-    inner.emplace_back(planes()[i], cells[i], m_impl->search.minCells, size);
+    inner.push_back(innerPlane(planes()[i], cells[i], m_impl->search.minCells, size));
   std::vector<TerrainStep> steps;
   std::vector<double> gaps;
   const auto addStep =
@@ -159,7 +172,10 @@ std::vector<TerrainStep> TerrainMap::steps() const
   {
     const auto n = static_cast<double>(meeting.pairs);
     const auto levelOf = [&](std::int32_t plane)
-    { return inner[static_cast<std::size_t>(plane)].heightAt(meeting.x / n, meeting.y / n); };
+    {
+      return heightFor(inner[static_cast<std::size_t>(plane)], meeting.x / n, meeting.y / n,
+                       m_impl->params.planeTolerance);
+    };
     const double rise = levelOf(planes.second) - levelOf(planes.first), length = meeting.length();
     if (std::abs(rise) <= m_impl->params.planeTolerance) return;
     const double sign = rise > 0 ? 1 : -1;

@@ -136,7 +136,7 @@ TEST(TerrainExperiment, BadFilesAreNamed)
   EXPECT_TRUE(contains(error("0.005 0.01", "0.01 0.005"), "resolutions = '0.01 0.005"));
   EXPECT_TRUE(contains(error("resolutions = 0.005", "; "), "resolutions = M"));
   EXPECT_TRUE(contains(error("0 1 5", "0 5"), "section 'experiment': poseNoise = '0 5'"));
-  EXPECT_TRUE(contains(error("repetitions = 1", "repetitions = 0"), "repetitions = '0'"));
+  EXPECT_TRUE(contains(error("repetitions = 2", "repetitions = 0"), "repetitions = '0'"));
   EXPECT_TRUE(contains(error("maxScans    = 0", "maxScans = -1"), "maxScans = '-1'"));
   EXPECT_TRUE(contains(error("overlap     = 0.8", "overlap = 0.5"), "overlap = '0.5'"));
   EXPECT_TRUE(contains(error("[terrain] ", "[terrain]\nplaneTolerance = 0\n;"),

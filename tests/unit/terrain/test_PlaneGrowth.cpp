@@ -46,33 +46,38 @@ Heights heights(std::mt19937& random)
   return heights;
 }
 
-/** One seed after the other, cell by cell. */
+/** One seed after the other, cell by cell; first with half of the tolerance. */
 class SlowGrowth
 {
  public:
   SlowGrowth(const PlaneSearch& search, const Heights& heights)
-      : m_search(search), m_seedPlane(search), m_heights(heights)
+      : m_search(search), m_heights(heights)
   {
     for (const auto& [key, z] : heights) test::putCell(m_tiles, key.second, key.first, z);
   }
 
   std::map<Key, int> grow()
   {
-    for (const auto& entry : m_heights)
-      if (!m_planes.count(entry.first)) growFrom(entry.first);
+    for (const double tolerance : {m_search.tolerance / 2, m_search.tolerance})
+      for (const auto& entry : m_heights)
+        if (!m_planes.count(entry.first)) growFrom(entry.first, tolerance);
     return m_planes;
   }
 
  private:
-  void growFrom(const Key& seed)
+  void growFrom(const Key& seed, double tolerance)
   {
+    PlaneSearch now = m_search;
+    now.tolerance = tolerance;
+    SeedPlane seedPlane(now);
     const CellRef cell = m_tiles.cell(seed.second, seed.first);
-    if (!m_seedPlane.isPromising(cell)) return;
-    const auto found = m_seedPlane.find(cell);
-    if (!found) return;
+    if (!seedPlane.isPromising(cell)) return;
+    const auto found = seedPlane.find(cell);
     PlaneMoments moments;
-    if (!flood(seed, *found, moments)) return;
-    if (!flood(seed, moments.fit(), moments)) return;
+    if (!found || !flood(seed, *found, tolerance, moments)) return;
+    const bool isFlat = moments.rms() <= 0.45 * tolerance;
+    if (tolerance < m_search.tolerance && !isFlat) return;
+    if (!flood(seed, moments.fit(), m_search.tolerance, moments)) return;
     for (const Key& key : m_reached)
     {
       const CellRef reached = m_tiles.cell(key.second, key.first);
@@ -83,7 +88,7 @@ class SlowGrowth
   }
 
   /** \return whether it may be a plane */
-  bool flood(const Key& seed, const Plane& plane, PlaneMoments& moments)
+  bool flood(const Key& seed, const Plane& plane, double tolerance, PlaneMoments& moments)
   {
     m_reached.clear();
     std::map<Key, bool> seen;
@@ -91,7 +96,7 @@ class SlowGrowth
     {
       const auto found = m_heights.find(key);
       if (found == m_heights.end() || m_planes.count(key) || seen[key]) return;
-      if (std::abs(found->second - plane.at(key.second, key.first)) > m_search.tolerance) return;
+      if (std::abs(found->second - plane.at(key.second, key.first)) > tolerance) return;
       seen[key] = true;
       m_reached.push_back(key);
     };
@@ -111,7 +116,6 @@ class SlowGrowth
   }
 
   PlaneSearch m_search;
-  SeedPlane m_seedPlane;
   Heights m_heights;
   TileMap m_tiles;
   std::map<Key, int> m_planes;

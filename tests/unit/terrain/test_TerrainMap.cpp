@@ -152,7 +152,9 @@ TEST(TerrainMap, APlaneHasAtLeastMinPlaneCells)
 /** Within the tolerance a cell is of the plane, beyond it has its own height. */
 TEST(TerrainMap, CellsFurtherThanTheToleranceAreNotOfThePlane)
 {
-  TerrainMap map(kCell);
+  TerrainParams params;
+  params.planeTolerance = 0.03;
+  TerrainMap map(kCell, params);
   putAll(map, 0, 0, 20, 20,
          [](int x, int y) {
            return y != 10 ? 0 : x == 5 ? 0.029 : x == 15 ? 0.031 : 0;
@@ -162,46 +164,6 @@ TEST(TerrainMap, CellsFurtherThanTheToleranceAreNotOfThePlane)
   EXPECT_EQ(planeAt(map, 15, 10), -1);
   EXPECT_NEAR(map.at(15 * kCell, 10 * kCell)->height, 0.031, 1e-4);
   EXPECT_NEAR(map.at(5 * kCell, 10 * kCell)->height, 0, 1e-3);
-}
-
-TEST(TerrainMap, ACellThatLeavesItsPlaneHasItsOwnHeight)
-{
-  TerrainMap map(kCell);
-  putAll(map, 0, 0, 9, 9, 0);
-  map.update();
-  map.insertPoint(4 * kCell, 4 * kCell, 1, 0.01);
-  map.update();
-  EXPECT_EQ(planeAt(map, 4, 4), -1);
-  EXPECT_EQ(map.planes()[0].cells, 99);
-  for (int i = 0; i < 100; ++i) put(map, 4, 4, 0);  // mean 1/102 m
-  map.update();
-  EXPECT_EQ(planeAt(map, 4, 4), 0);
-}
-
-TEST(TerrainMap, PlanesThatComeToTouchMerge)
-{
-  TerrainMap map(kCell);
-  putAll(map, 0, 0, 5, 9, 0);
-  putAll(map, 8, 0, 15, 9, 0.01);
-  map.update();
-  EXPECT_EQ(map.planes().size(), 2u);
-  putAll(map, 6, 0, 7, 9, 0.005);
-  map.update();
-  ASSERT_EQ(map.planes().size(), 1u);
-  EXPECT_EQ(map.planes()[0].cells, 160);
-}
-
-TEST(TerrainMap, ACutPlaneIsTwo)
-{
-  TerrainMap map(kCell);
-  putAll(map, 0, 0, 15, 9, 0);
-  map.update();
-  for (int i = 0; i < 50; ++i) putAll(map, 7, 0, 7, 9, 2);
-  map.update();
-  ASSERT_EQ(map.planes().size(), 2u);
-  EXPECT_EQ(map.planes()[0].cells, 70);
-  EXPECT_EQ(map.planes()[1].cells, 80);
-  EXPECT_EQ(planeAt(map, 7, 3), -1);
 }
 
 TEST(TerrainMap, MaximumTakesTheHighestPoint)
