@@ -84,9 +84,7 @@ measured_stairs() {
 
   echo
   echo "== stairs: planes and leaves; each step on the robot's way beside the true one"
-  # the lowest rise is 0.06 m: planes must be told apart that differ by that
-  "$mapconv" terrain "$dir/run/scans.simplemap" -o "$dir/map" --resolution 0.02 --plane-tolerance 0.015 \
-    --min-plane-width 0.12 --truth "$root/config/worlds/stairs.ini"
+  "$mapconv" terrain "$dir/run/scans.simplemap" -o "$dir/map" --resolution 0.02 --truth "$root/config/worlds/stairs.ini"
   made+=("$dir/map")
 }
 

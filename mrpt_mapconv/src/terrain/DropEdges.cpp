@@ -34,7 +34,7 @@ class DropSearch
     const grid::GridFrame& frame = m_height.frame();
     for (std::int32_t y = 0; y < frame.height; ++y)
       for (std::int32_t x = 0; x < frame.width; ++x)
-        if (isKnown(x, y)) lookAround(x, y);
+        if (isKnown(x, y) && !isAmidPlane(x, y)) lookAround(x, y);
     return std::move(m_isEdge);
   }
 
@@ -53,6 +53,19 @@ class DropSearch
     return isInside(ox, oy) && m_plane.at(x, y) == m_plane.at(ox, oy);
   }
 
+  /** Whether all cells around lie in the same plane, as most do. */
+  bool isAmidPlane(std::int32_t x, std::int32_t y) const
+  {
+    const grid::GridFrame& frame = m_plane.frame();
+    if (x == 0 || y == 0 || x + 1 == frame.width || y + 1 == frame.height) return false;
+    const float* middle = &m_plane.at(x, y);
+    bool all = true;
+    for (const std::ptrdiff_t row : {-frame.width, 0, frame.width})
+      for (std::ptrdiff_t column = -1; column <= 1; ++column)
+        all &= middle[row + column] == *middle;
+    return all;
+  }
+
   void lookAround(std::int32_t x, std::int32_t y)
   {
     const bool hasPlane = !std::isnan(m_plane.at(x, y));
@@ -60,9 +73,15 @@ class DropSearch
       for (std::int32_t dx = -1; dx <= 1; ++dx)
       {
         if (dx == 0 && dy == 0) continue;
-        const bool isEnd = hasPlane ? !isOnePlane(x, y, x + dx, y + dy) : !isKnown(x + dx, y + dy);
+        const bool isEnd = hasPlane ? isEndOfPlane(x + dx, y + dy) : !isKnown(x + dx, y + dy);
         if (isEnd) follow({x, y, dx, dy});
       }
+  }
+
+  /** Whether a plane ends at a cell beside it, unless another one begins there. */
+  bool isEndOfPlane(std::int32_t x, std::int32_t y) const
+  {
+    return isInside(x, y) && std::isnan(m_plane.at(x, y));
   }
 
   /** Where the ground leads, per step [m]. */
@@ -75,7 +94,7 @@ class DropSearch
 
   void follow(const Way& way)
   {
-    const double stride = m_height.frame().resolution * std::hypot(way.dx, way.dy);
+    const double stride = m_height.frame().resolution * (way.dx != 0 && way.dy != 0 ? M_SQRT2 : 1);
     const double own = static_cast<double>(m_height.at(way.x, way.y)),
                  rise = risePerStep(way, stride);
     std::int32_t gap = 0;  // steps to the first cell that nobody saw; 0: none yet

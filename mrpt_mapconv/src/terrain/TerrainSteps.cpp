@@ -4,6 +4,7 @@
 #include <iterator>
 #include <map>
 
+#include "InnerPlane.h"
 #include "PlaneRows.h"
 #include "TerrainMapImpl.h"
 
@@ -22,7 +23,6 @@ std::int32_t mostGap(double resolution)
 /** Where two planes meet, from pairs of cells that face each other. */
 struct Meeting
 {
-  double rise = 0;                    //!< Σ of the second plane's height above the first's [m]
   double x = 0, y = 0;                //!< Σ of where they meet [m]
   double towardsX = 0, towardsY = 0;  //!< Σ of directions from the first to the second
   double gap = 0;                     //!< Σ of the cells between them
@@ -31,7 +31,6 @@ struct Meeting
   double length() const { return std::hypot(towardsX, towardsY); }
   void add(const Meeting& o)
   {
-    rise += o.rise;
     x += o.x;
     y += o.y;
     towardsX += o.towardsX;
@@ -70,19 +69,6 @@ CellRef facing(const CellRef& from, std::int32_t dx, std::int32_t dy, std::int32
   return {};
 }
 
-/** The height of a plane at its edge. Mixed heights tilt small planes, to one side at the lower
- * edge of a tread and to the other at its upper one: what is no steeper than the tolerance explains
- * is taken for level. */
-double heightFor(const TerrainPlane& plane, double x, double y, double tolerance)
-{
-  constexpr double kSmall = 0.5;  // [m]
-  constexpr double kEdges = 3;    // times the tolerance, from one edge to the other
-  const double width = plane.xMax - plane.xMin, depth = plane.yMax - plane.yMin;
-  const double rise = std::abs(plane.slopeX) * width + std::abs(plane.slopeY) * depth;
-  return std::min(width, depth) <= kSmall && rise <= kEdges * tolerance ? plane.z
-                                                                        : plane.heightAt(x, y);
-}
-
 void addMeetings(Tile& tile, const TerrainMap& map, const std::vector<std::int32_t>& indices,
                  Meetings& meetings)
 {
@@ -97,17 +83,12 @@ void addMeetings(Tile& tile, const TerrainMap& map, const std::vector<std::int32
     const std::int32_t sign = a < b ? 1 : -1;
     const double x = 0.5 * map.resolution() * (cell.keyX() + other.keyX()),
                  y = 0.5 * map.resolution() * (cell.keyY() + other.keyY());
-    const auto height = [&](std::int32_t plane)
-    {
-      return heightFor(map.planes()[static_cast<std::size_t>(plane)], x, y,
-                       map.params().planeTolerance);
-    };
     const std::int32_t between =
         std::max(std::abs(other.keyX() - cell.keyX()), std::abs(other.keyY() - cell.keyY())) - 1;
     const std::size_t side = (dx != 0 ? 0u : 2u) + (sign > 0 ? 0u : 1u);
-    meetings[{std::min(a, b), std::max(a, b)}][side].add(
-        {height(std::max(a, b)) - height(std::min(a, b)), x, y, static_cast<double>(sign * dx),
-         static_cast<double>(sign * dy), static_cast<double>(between), 1});
+    meetings[{std::min(a, b), std::max(a, b)}][side].add({x, y, static_cast<double>(sign * dx),
+                                                          static_cast<double>(sign * dy),
+                                                          static_cast<double>(between), 1});
   };
   for (std::int32_t iy = 0; iy < kTileSide; ++iy)
   {
@@ -116,6 +97,19 @@ void addMeetings(Tile& tile, const TerrainMap& map, const std::vector<std::int32
     forEachBit(assigned & differsEast(tile, iy), [&](std::int32_t ix) { addOf(ix, iy, 1, 0); });
     forEachBit(assigned & differsNorth(tile, iy), [&](std::int32_t ix) { addOf(ix, iy, 0, 1); });
   }
+}
+
+/** The height of a plane at its edge. Mixed heights tilt small planes, to one side at the lower
+ * edge of a tread and to the other at its upper one: what is no steeper than the tolerance explains
+ * is taken for level. */
+double heightFor(const TerrainPlane& plane, double x, double y, double tolerance)
+{
+  constexpr double kSmall = 0.5;  // [m]
+  constexpr double kEdges = 3;    // times the tolerance, from one edge to the other
+  const double width = plane.xMax - plane.xMin, depth = plane.yMax - plane.yMin;
+  const double rise = std::abs(plane.slopeX) * width + std::abs(plane.slopeY) * depth;
+  return std::min(width, depth) <= kSmall && rise <= kEdges * tolerance ? plane.z
+                                                                        : plane.heightAt(x, y);
 }
 
 /** How far a plane reaches in a direction: the median over lines in that direction, each a cell
@@ -142,6 +136,13 @@ double depthOf(const std::vector<CellRef>& cells, double directionX, double dire
   std::nth_element(depths.begin(), middle, depths.end());
   return *middle * resolution;
 }
+/** Whether the upper plane of a step ends at another one: by which it goes on up, or down again. */
+bool endsTread(const TerrainStep& step, const TerrainStep& other)
+{
+  const double cosine = step.directionX * other.directionX + step.directionY * other.directionY;
+  return (other.lower == step.upper && cosine > 0.9) ||
+         (other.upper == step.upper && cosine < -0.9);
+}
 }  // namespace
 
 std::vector<TerrainStep> TerrainMap::steps() const
@@ -161,13 +162,21 @@ std::vector<TerrainStep> TerrainMap::steps() const
                  });
   }
   const double size = resolution();
+  std::vector<TerrainPlane> inner;
+  for (std::size_t i = 0; i < cells.size(); ++i)
+    inner.push_back(innerPlane(planes()[i], cells[i], m_impl->search.minCells, size));
   std::vector<TerrainStep> steps;
   std::vector<double> gaps;
   const auto addStep =
       [&](const std::pair<std::int32_t, std::int32_t>& planes, const Meeting& meeting)
   {
     const auto n = static_cast<double>(meeting.pairs);
-    const double rise = meeting.rise / n, length = meeting.length();
+    const auto levelOf = [&](std::int32_t plane)
+    {
+      return heightFor(inner[static_cast<std::size_t>(plane)], meeting.x / n, meeting.y / n,
+                       m_impl->params.planeTolerance);
+    };
+    const double rise = levelOf(planes.second) - levelOf(planes.first), length = meeting.length();
     if (std::abs(rise) <= m_impl->params.planeTolerance) return;
     const double sign = rise > 0 ? 1 : -1;
     TerrainStep step;
@@ -192,9 +201,7 @@ std::vector<TerrainStep> TerrainMap::steps() const
   {
     more[i] += gaps[i] / 2;
     for (std::size_t j = 0; j < steps.size(); ++j)
-      if (steps[j].lower == steps[i].upper &&
-          steps[j].directionX * steps[i].directionX + steps[j].directionY * steps[i].directionY >
-              0.9)
+      if (endsTread(steps[i], steps[j]))
       {
         more[i] += gaps[j] / 2;
         break;

@@ -99,9 +99,10 @@ grid::Layer<float> traversabilityOf(const TerrainLayers& layers, const TerrainPa
       if (std::isnan(layers.height.at(x, y))) continue;
       const auto slope = static_cast<double>(layers.slope.at(x, y));
       const std::size_t at = frame.indexOfKey(frame.x0 + x, frame.y0 + y);
-      const bool isEdge = std::isnan(slope) && around[at].size() > params.maxStep;
+      const bool isUneven = around[at].size() > params.maxStep;  // its neighbours are among those
+      const bool isEdge = isUneven && std::isnan(slope);
       const bool isOccupied = isEdge || atDrop[at] || slope > params.maxSlope ||
-                              isStep(layers.height, x, y, params.maxStep);
+                              (isUneven && isStep(layers.height, x, y, params.maxStep));
       out.at(x, y) = isOccupied ? 1.0f : grid::kFree;
     }
   return out;

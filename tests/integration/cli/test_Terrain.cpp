@@ -207,7 +207,7 @@ TEST_F(Terrain, everyParameterIsInTheSummary)
   EXPECT_EQ(parameters["maxHeight"].number, 5);
   EXPECT_EQ(parameters["heightRule"].text, "maximum");
   EXPECT_EQ(parameters["pitchSigma"].number, 2);
-  EXPECT_EQ(parameters["planeTolerance"].number, 0.03);
+  EXPECT_EQ(parameters["planeTolerance"].number, 0.02);
   EXPECT_EQ(json["pointsBeyondLimits"].number, 0);
 }
 

@@ -124,7 +124,7 @@ TEST(CTerrainGridMap2D_io, SavesEveryLayerLeavesPlanesAndSteps)
     const auto read = grid::readGeoTiffBand(dir.file("m_layers.tif"), layer.name);
     EXPECT_EQ(read.frame(), layer.layer->frame()) << layer.name;
   }
-  EXPECT_EQ(grid::readGeoTiffMetadata(dir.file("m_layers.tif")).at("planeTolerance"), "0.03");
+  EXPECT_EQ(grid::readGeoTiffMetadata(dir.file("m_layers.tif")).at("planeTolerance"), "0.02");
   const auto steps = readBytes(dir.file("m_steps.csv"));
   EXPECT_EQ(steps.rfind("lower,upper,height,depth,width,x,y,directionX,directionY\n0,1,0.15", 0),
             0u)

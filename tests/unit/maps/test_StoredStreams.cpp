@@ -205,7 +205,7 @@ TEST_P(StoredVersion, AnEmptyTerrainMapHasTheDefaults)
   EXPECT_EQ(2, map->terrainInsertionOptions.limits.maxHeight);
   EXPECT_EQ(0.02, map->terrainInsertionOptions.sigmas.range);
   EXPECT_EQ(terrain::HeightRule::Fused, map->terrain().params().heightRule);
-  EXPECT_EQ(0.03, map->terrain().params().planeTolerance);
+  EXPECT_EQ(0.02, map->terrain().params().planeTolerance);
   EXPECT_EQ(0.2, map->terrain().params().maxStep);
   EXPECT_EQ(0, map->terrain().params().localWindow);
   EXPECT_TRUE(map->renderingOptions.showLeaves);

@@ -179,3 +179,31 @@ TEST(TerrainSteps, ThereAreNoneWithoutPlanes)
   put(map, 1, 0, 1);
   EXPECT_TRUE(updated(std::move(map)).steps().empty());
 }
+
+/** Noise draws the first and last rows of treads towards what lies beyond, within the tolerance. */
+TEST(TerrainSteps, HeightsAreThoseOfTheInnerCells)
+{
+  TerrainMap map(0.02);
+  putAll(map, 0, 0, 15, 29, [](int x, int) { return x > 13 ? 0.015 : 0; });
+  putAll(map, 16, 0, 31, 29, [](int x, int) { return x < 18 ? 0.185 : x > 29 ? 0.215 : 0.2; });
+  putAll(map, 32, 0, 47, 29, [](int x, int) { return x < 34 ? 0.385 : 0.4; });
+  map.update();
+  ASSERT_EQ(map.planes().size(), 3u);
+  const auto steps = map.steps();
+  ASSERT_EQ(steps.size(), 2u);
+  for (const TerrainStep& step : steps) EXPECT_NEAR(step.height, 0.2, 1e-3);
+}
+
+TEST(TerrainSteps, ASummitEndsInTheMiddleOfBothRisers)
+{
+  TerrainMap map(0.05);
+  putAll(map, 0, 0, 9, 19, 0);
+  putAll(map, 10, 0, 11, 19, [](int x, int y) { return x == 10 ? 0.1 : 0.15 + y % 2 * 0.07; });
+  putAll(map, 12, 0, 21, 19, 0.3);
+  putAll(map, 22, 0, 23, 19, [](int x, int y) { return x == 23 ? 0.1 : 0.15 + y % 2 * 0.07; });
+  putAll(map, 24, 0, 33, 19, 0);
+  map.update();
+  const auto steps = map.steps();
+  ASSERT_EQ(steps.size(), 2u);
+  for (const TerrainStep& step : steps) EXPECT_NEAR(step.depth, 0.6, 1e-9);
+}

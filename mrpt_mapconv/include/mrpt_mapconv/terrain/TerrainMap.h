@@ -82,7 +82,7 @@ struct TerrainPoint
 struct TerrainStep
 {
   std::int32_t lower = -1, upper = -1;    //!< planes
-  double height = 0;                      //!< from the one to the other, where they meet [m]
+  double height = 0;                      //!< from the one's inner cells to the other's [m]
   double depth = 0;                       //!< of the upper plane in the direction of the step [m]
   double width = 0;                       //!< along which they meet [m]
   double x = 0, y = 0;                    //!< middle of where they meet [m]
