@@ -29,9 +29,9 @@ void runFreespaceExperiment(const ExperimentJob& job, Report& report);
  * reflections, against the true world. Sections: see config/experiments/scan_shape.ini. */
 void runScanShapeExperiment(const ExperimentJob& job, Report& report);
 
-/** The comparisons of Zhou et al. 2023: mapping time, errors of heights, leaves, planes and steps of
- * adaptive terrain maps, beside a per-cell elevation map, MRPT's grid and octomaps. Sections: see
- * config/experiments/terrain.ini. */
+/** The comparisons of Zhou et al. 2023: mapping time, errors of heights, leaves, planes and steps
+ * of adaptive terrain maps, beside a per-cell elevation map, MRPT's grid and octomaps. Sections:
+ * see config/experiments/terrain.ini. */
 void runTerrainExperiment(const ExperimentJob& job, Report& report);
 /** @} */
 

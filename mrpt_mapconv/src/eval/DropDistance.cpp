@@ -17,8 +17,7 @@ DropDistance::DropDistance(const grid::Layer<float>& floor, const CellMask& belo
     for (std::int32_t x = 0; x < frame.width; ++x)
       if (below.at(x, y))
         m_feet.push_back(
-            {{frame.centreOf(frame.x0 + x), frame.centreOf(frame.y0 + y)},
-             double{floor.at(x, y)}});
+            {{frame.centreOf(frame.x0 + x), frame.centreOf(frame.y0 + y)}, double{floor.at(x, y)}});
 }
 
 double DropDistance::to(const TPoint2D& place) const

@@ -15,8 +15,8 @@ CellMask cellsIn(const sim::Footprint& rectangle, const grid::GridFrame& frame)
   CellMask mask(frame, 0);
   for (std::int32_t iy = 0; iy < frame.height; ++iy)
     for (std::int32_t ix = 0; ix < frame.width; ++ix)
-      mask.at(ix, iy) = holds(rectangle, frame.centreOf(frame.x0 + ix),
-                              frame.centreOf(frame.y0 + iy));
+      mask.at(ix, iy) =
+          holds(rectangle, frame.centreOf(frame.x0 + ix), frame.centreOf(frame.y0 + iy));
   return mask;
 }
 

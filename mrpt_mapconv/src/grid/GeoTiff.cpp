@@ -123,9 +123,9 @@ GridFrame readFrame(GDALDataset& dataset, const std::string& path)
     if (x0 && yEnd) return {t[1], *x0, *yEnd - height, dataset.GetRasterXSize(), height, shift};
   }
   throw std::runtime_error("cannot read '" + path + "': its corner (" + std::to_string(t[0]) +
-                             ", " + std::to_string(t[3]) +
-                             ") must lie on a multiple of half the cell size " +
-                             std::to_string(t[1]));
+                           ", " + std::to_string(t[3]) +
+                           ") must lie on a multiple of half the cell size " +
+                           std::to_string(t[1]));
 }
 
 /** Turns a file's own no-data value into NaN. */

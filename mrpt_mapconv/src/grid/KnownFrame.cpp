@@ -38,8 +38,12 @@ GridFrame grown(const GridFrame& frame, std::int32_t cells, const GridFrame& wit
 {
   const std::int32_t x0 = std::max(frame.x0 - cells, within.x0),
                      y0 = std::max(frame.y0 - cells, within.y0);
-  return {frame.resolution, x0, y0, std::min(frame.xEnd() + cells, within.xEnd()) - x0,
-          std::min(frame.yEnd() + cells, within.yEnd()) - y0, frame.shift};
+  return {frame.resolution,
+          x0,
+          y0,
+          std::min(frame.xEnd() + cells, within.xEnd()) - x0,
+          std::min(frame.yEnd() + cells, within.yEnd()) - y0,
+          frame.shift};
 }
 }  // namespace
 

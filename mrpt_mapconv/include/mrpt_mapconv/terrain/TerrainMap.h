@@ -162,9 +162,9 @@ class TerrainMap
    * one for each side. */
   std::vector<TerrainStep> steps() const;
 
-  /** All layers on a frame that holds frame(). What is traversable keeps to the safe side: steps and
-   * slopes are occupied, cells with a point more than maxStep above their height, and the edges of
-   * drops whose foot nobody saw. */
+  /** All layers on a frame that holds frame(). What is traversable keeps to the safe side: steps
+   * and slopes are occupied, cells with a point more than maxStep above their height, and the edges
+   * of drops whose foot nobody saw. */
   TerrainLayers layers() const;
 
   /** Writes cells, planes and leaves, but not the parameters, such that the map that reads them
