@@ -23,6 +23,7 @@ terrain::TerrainParams randomParams(Rng& rng)
   params.blockCells = pick(rng, 1, 40);
   params.minPlaneCells = pick(rng, 3, 40);
   params.maxPlaneSlope = uniform(rng, 0.1, 2);
+  params.maxSlope = std::min(params.maxSlope, params.maxPlaneSlope);
   if (chance(rng, 30)) params.heightRule = terrain::HeightRule::Maximum;
   return params;
 }

@@ -31,10 +31,9 @@ void CTerrainGridMap2D::internal_clear()
 
 /** What the layers or MRPT's grid could not hold must not get into the cells. A local window
  * forgets what lies outside of it. */
-void CTerrainGridMap2D::checkRoomFor(const grid::GridFrame& needed) const
+void CTerrainGridMap2D::checkRoomFor(const grid::GridFrame& needed, bool forgets) const
 {
-  const auto all =
-      m_terrain.params().localWindow > 0 ? needed : unite(m_layers.height.frame(), needed);
+  const auto all = forgets ? needed : unite(m_layers.height.frame(), needed);
   terrain::TerrainGridParams limits{cellSize(), maxGridCells};
   limits.checkSize(all);
   grid::checkGridMapFrame(all);
@@ -46,7 +45,7 @@ std::string CTerrainGridMap2D::insertScan(const observation::SensorPoints& scan)
   const auto& options = terrainInsertionOptions;
   const auto used = terrain::usedPoints(scan, options.limits);
   if (used.points.empty()) return "it has no point within maxRange, minHeight and maxHeight";
-  checkRoomFor(terrain::frameOf(used, m_terrain));
+  checkRoomFor(terrain::frameOf(used, m_terrain), m_terrain.params().localWindow > 0);
   const mrpt::system::CTicTac watch;
   terrain::insertScan(m_terrain, scan, used, options.sigmas, options.sigmas.poseCovariance());
   const double inserted = watch.Tac();
@@ -77,7 +76,7 @@ bool CTerrainGridMap2D::insertIndividualPoint(double x, double y, double z,
   point.yMin = point.yMax = y;
   try
   {
-    checkRoomFor(terrain::frameOf(point, m_terrain));
+    checkRoomFor(unite(m_terrain.frame(), terrain::frameOf(point, m_terrain)), false);
     m_terrain.insertPoint(
         x, y, z, params.pt_z_std != 0 ? params.pt_z_std : terrainInsertionOptions.sigmas.range);
   }
@@ -85,6 +84,7 @@ bool CTerrainGridMap2D::insertIndividualPoint(double x, double y, double z,
   {
     return false;
   }
+  m_is_empty = false;
   if (params.update_map_after_insertion) dem_update_map();
   return true;
 }

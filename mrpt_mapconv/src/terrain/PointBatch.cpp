@@ -100,7 +100,8 @@ void computeWeights(const Coefficients& c, const float* __restrict x, const floa
   for (std::size_t i = 0; i < count; ++i)
   {
     const float variance = varianceOf(c, x[i], y[i], z[i]);
-    const float bounded = variance < kLeast ? kLeast : variance > kMost ? kMost : variance;
+    const float bounded =
+        variance < kMost ? (variance < kLeast ? kLeast : variance) : kMost;  // NaN: too
     weight[i] = static_cast<std::int32_t>(static_cast<float>(kWeightUnit) / bounded * finite[i] +
                                           0.5f * finite[i]);
   }
@@ -141,8 +142,9 @@ void checkCovariance(const mrpt::math::CMatrixDouble33& covariance)
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j)
     {
+      constexpr double kMost = 1e6;  // [m², rad²]
       const double v = covariance(i, j), limit = covariance(i, i) * covariance(j, j);
-      if (std::isfinite(v) && (i == j ? v >= 0 : v * v <= limit * (1 + 1e-9) + 1e-30)) continue;
+      if (std::abs(v) <= kMost && (i == j ? v >= 0 : v * v <= limit * (1 + 1e-9) + 1e-30)) continue;
       throw std::invalid_argument(std::string("terrain: the covariance of the pose's ") +
                                   kNames[i] + " and " + kNames[j] + " = " + std::to_string(v) +
                                   " is not valid: a covariance matrix is needed");

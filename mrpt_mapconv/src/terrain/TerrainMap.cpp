@@ -55,6 +55,7 @@ void TerrainMap::insertPoint(double x, double y, double z, double sigma)
                   "a standard deviation >= 0 m");
   if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(z)) return;
   const PointModel::Place place = PointModel::placeOf(x, y, z, m_impl->resolution);
+  if (m_impl->window && !m_impl->window->holds(place.kx, place.ky)) return;
   Tile& tile = m_impl->tiles.get(place.kx >> kTileBits, place.ky >> kTileBits);
   m_impl->add(tile, Tile::indexOf(place.kx & kTileMask, place.ky & kTileMask), place.z,
               PointModel::weightOf(sigma * sigma));

@@ -271,6 +271,7 @@ void TerrainMap::Impl::moveWindow(double x, double y)
     if (first > kTileMask || last < first) return 0;
     return ~RowBits{0} << first & ~RowBits{0} >> (kTileMask - last);
   };
+  bool hasForgotten = false;
   for (Tile* tile : std::vector<Tile*>(tiles.sorted()))
   {
     TileBits outside;
@@ -285,8 +286,13 @@ void TerrainMap::Impl::moveWindow(double x, double y)
                                tile->changed[static_cast<std::size_t>(iy)]);
     }
     if (anyOutside) forget(*tile, outside);
+    hasForgotten |= anyOutside != 0;
     if (!anyInside) tiles.remove(*tile);
   }
+  if (!hasForgotten) return;
+  // until the next update, too, nobody may find what is gone
+  tree.follow(tiles, 1);
+  listPlanes();
 }
 
 }  // namespace mrpt_mapconv::terrain

@@ -29,6 +29,8 @@ void TerrainParams::check() const
   require(within(minPlaneWidth, 0, 100), "minPlaneWidth", minPlaneWidth, "within 0 and 100 m");
   require(within(maxPlaneSlope, 0, 10), "maxPlaneSlope", maxPlaneSlope, "within 0 and 10 m/m");
   require(within(maxSlope, 0, 1e6), "maxSlope", maxSlope, "a slope >= 0 m/m");
+  require(maxSlope <= maxPlaneSlope, "maxSlope", maxSlope,
+          "at most maxPlaneSlope, since steeper ground has no plane whose slope could be judged");
   require(within(maxStep, 0, 1e6), "maxStep", maxStep, "a height >= 0 m");
   require(within(localWindow, 0, 1e6), "localWindow", localWindow, "a side > 0 m, or 0 for none");
 }

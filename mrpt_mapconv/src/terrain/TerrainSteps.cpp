@@ -197,15 +197,20 @@ std::vector<TerrainStep> TerrainMap::steps() const
     for (const Meeting& meeting : meetingsOf(sides)) addStep(planes, meeting);
   // half of the cells between two planes belongs to each
   std::vector<double> more(steps.size(), 0);
+  std::multimap<std::int32_t, std::size_t> beside;  // steps by either of their planes
+  for (std::size_t i = 0; i < steps.size(); ++i)
+  {
+    beside.emplace(steps[i].lower, i);
+    beside.emplace(steps[i].upper, i);
+  }
   for (std::size_t i = 0; i < steps.size(); ++i)
   {
     more[i] += gaps[i] / 2;
-    for (std::size_t j = 0; j < steps.size(); ++j)
-      if (endsTread(steps[i], steps[j]))
-      {
-        more[i] += gaps[j] / 2;
-        break;
-      }
+    const auto around = beside.equal_range(steps[i].upper);
+    const auto next =
+        std::find_if(around.first, around.second,
+                     [&](const auto& entry) { return endsTread(steps[i], steps[entry.second]); });
+    if (next != around.second) more[i] += gaps[next->second] / 2;
   }
   for (std::size_t i = 0; i < steps.size(); ++i) steps[i].depth += more[i];
   std::stable_sort(steps.begin(), steps.end(),

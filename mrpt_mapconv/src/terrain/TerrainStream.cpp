@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <cstdlib>
 #include <stdexcept>
 #include <string>
 
@@ -11,6 +13,7 @@ namespace
 {
 constexpr std::uint8_t kVersion = 0;
 constexpr std::uint32_t kMostTiles = 1u << 26, kMostPlanes = 1u << 30;
+constexpr std::int64_t kMostTileKey = std::int64_t{1} << 25;  // 2^30 cells
 
 [[noreturn]] void refuse(const std::string& why)
 {
@@ -73,9 +76,11 @@ void writePlanes(CArchive& out, const PlaneSet& planes)
 
 PlaneSet readPlanes(CArchive& in)
 {
-  std::vector<PlaneState> states(readCount(in, kMostPlanes, "planes"));
-  for (PlaneState& state : states)
+  const std::uint32_t planeCount = readCount(in, kMostPlanes, "planes");
+  std::vector<PlaneState> states;  // grows as they come: a damaged number must not ask for memory
+  for (std::uint32_t i = 0; i < planeCount; ++i)
   {
+    PlaneState& state = states.emplace_back();
     std::int32_t x = 0, y = 0, z = 0;
     in >> x >> y >> z;
     state.moments = PlaneMoments(x, y, z);
@@ -119,7 +124,9 @@ void readCell(CArchive& in, Tile& tile, std::int32_t ix, std::int32_t iy, PlaneS
   in >> triedWith >> tile.height[index] >> plane;
   tile.sums[index].triedWith = triedWith & 0x7FFFFFFFu;
   tile.sums[index].isMarked = tile.changed[static_cast<std::size_t>(iy)] >> ix & 1u;
-  if (tile.sums[index].points == 0) refuse("holds a cell without points");
+  const CellSums& sums = tile.sums[index];
+  if (sums.points == 0 || sums.weight == 0 || sums.weight >> 61 != 0 || sums.highestWeight() == 0)
+    refuse("holds a cell without points");
   if (plane == kNoPlane) return;
   if (plane < 0 || plane >= planes.end() || !planes.at(plane).isAlive || !tile.isKnown(ix, iy))
     refuse("a cell belongs to plane " + std::to_string(plane) + ", which is not there");
@@ -156,6 +163,8 @@ void TerrainMap::load(CArchive& in)
   {
     std::int32_t tx = 0, ty = 0;
     in >> tx >> ty;
+    if (std::max(std::abs(std::int64_t{tx}), std::abs(std::int64_t{ty})) > kMostTileKey)
+      refuse("holds a tile beyond the range of keys");
     if (read->tiles.find(tx, ty)) refuse("holds a tile twice");
     Tile& tile = read->tiles.get(tx, ty);
     for (std::size_t y = 0; y < kTileSide; ++y) in >> tile.known[y] >> tile.changed[y];

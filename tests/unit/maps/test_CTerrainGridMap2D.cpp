@@ -88,6 +88,7 @@ TEST(CTerrainGridMap2D, TakesSinglePoints)
 {
   CTerrainGridMap2D map(0.1);
   EXPECT_TRUE(map.insertIndividualPoint(1.04, 2.04, 3));
+  EXPECT_FALSE(map.isEmpty());
   double z = 0;
   ASSERT_TRUE(map.dem_get_z(0.96, 1.96, z));
   EXPECT_NEAR(z, 3, 1e-4);

@@ -161,3 +161,26 @@ TEST(LocalWindow, MemoryStaysWhileTheRobotDrives)
   }
   EXPECT_LE(static_cast<double>(late), 1.1 * static_cast<double>(early));
 }
+
+TEST(LocalWindow, CanBeAskedBeforeTheUpdate)
+{
+  TerrainMap map(kCell, windowOf(4));
+  map.insert(floorAround(0, 0).scan(), {});
+  map.update();
+  map.insert(nothingFrom(2.5, 0).scan(), {});
+  const auto layers = map.layers();
+  EXPECT_EQ(layers.height.frame(), map.frame());
+  EXPECT_FALSE(map.at(-1.5, 0));
+  EXPECT_TRUE(map.at(1.5, 0));
+  for (const auto& leaf : map.leavesIn(-10, -10, 10, 10))
+    EXPECT_TRUE(map.frame().containsKey(leaf.x, leaf.y));
+}
+
+TEST(LocalWindow, HoldsForSinglePoints)
+{
+  TerrainMap map(kCell, windowOf(4));
+  map.insert(floorAround(0, 0).scan(), {});
+  const auto cells = map.cells();
+  map.insertPoint(50, 0, 0, 0.01);
+  EXPECT_EQ(map.cells(), cells);
+}

@@ -80,6 +80,9 @@ TEST(TerrainErrors, ParametersAreNamed)
   params.maxSlope = -2;
   expectRefused(params, "maxSlope", "-2");
   params = {};
+  params.maxPlaneSlope = 0.4;
+  expectRefused(params, "maxSlope", "0.5");
+  params = {};
   params.localWindow = -3;
   expectRefused(params, "localWindow", "-3");
 }

@@ -89,7 +89,7 @@ class CTerrainGridMap2D : public maps::LayerGridMap2D, public mrpt::maps::CHeigh
   void drawLayers(mrpt::opengl::CSetOfObjects& scene) const override;
 
  private:
-  void checkRoomFor(const grid::GridFrame& needed) const;
+  void checkRoomFor(const grid::GridFrame& needed, bool forgets) const;
   void showTerrain();
 
   terrain::TerrainMap m_terrain;
