@@ -18,7 +18,7 @@ namespace mrpt_mapconv::testing
 inline const std::string kConfig = std::string(MRPT_MAPCONV_SOURCE_DIR) + "/config/";
 
 /** Rows of a CSV file without quoted cells. */
-inline std::vector<std::vector<std::string>> rowsOf(const std::string& path)
+inline std::vector<std::vector<std::string>> tableRows(const std::string& path)
 {
   std::ifstream in(path);
   EXPECT_TRUE(in) << path;

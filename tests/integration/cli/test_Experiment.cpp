@@ -29,18 +29,18 @@ TEST(Experiment, FreespaceWritesTablesPlotsAndPictures)
        {"updates.png", "updates_by_columns.png", "cave_ground_strict.png", "outdoor_truth.png"})
     EXPECT_EQ("\x89PNG", readBytes(dir.path(std::string("out/") + name)).substr(0, 4)) << name;
 
-  const auto full = rowsOf(dir.path("out/table2_full.csv"));
+  const auto full = tableRows(dir.path("out/table2_full.csv"));
   ASSERT_EQ(11u, full.size());  // a header, five methods in two worlds
   for (std::size_t i = 1; i < full.size(); ++i) EXPECT_GT(std::stod(full[i].at(2)), 0) << i;
-  const auto sizes = rowsOf(dir.path("out/table3_sizes.csv"));
+  const auto sizes = tableRows(dir.path("out/table3_sizes.csv"));
   EXPECT_EQ(7u, sizes.size());
-  const auto quality = rowsOf(dir.path("out/quality.csv"));
+  const auto quality = tableRows(dir.path("out/quality.csv"));
   ASSERT_EQ(17u, quality.size());
   // what the aerial map of either world calls free is free
   EXPECT_GT(std::stod(quality[1].at(3)), 97) << quality[1].at(0);
   EXPECT_GT(std::stod(quality[9].at(3)), 97) << quality[9].at(0);
-  EXPECT_EQ(15u, rowsOf(dir.path("out/paths.csv")).size());
-  EXPECT_EQ(11u, rowsOf(dir.path("out/ground_cells.csv")).size());  // two maps in five worlds
+  EXPECT_EQ(15u, tableRows(dir.path("out/paths.csv")).size());
+  EXPECT_EQ(11u, tableRows(dir.path("out/ground_cells.csv")).size());  // two maps in five worlds
 }
 
 TEST(Experiment, FreespaceComparesGroundThatWasSeen)
@@ -52,7 +52,7 @@ TEST(Experiment, FreespaceComparesGroundThatWasSeen)
     ini = replaced(ini, std::string("../worlds/") + file, kConfig + "worlds/" + file);
   std::ofstream(dir.path("e.ini")) << ini;
   ASSERT_EQ(0, mapconv({"experiment", dir.path("e.ini"), "-o", dir.path("out"), "--quick"}).status);
-  const auto cells = rowsOf(dir.path("out/ground_cells.csv"));
+  const auto cells = tableRows(dir.path("out/ground_cells.csv"));
   EXPECT_EQ(1 + 2 * worlds.size(), cells.size());
   for (const std::string& world : worlds)
   {
@@ -63,11 +63,11 @@ TEST(Experiment, FreespaceComparesGroundThatWasSeen)
     EXPECT_GT(number(seen, 9), number(seen, 10)) << world;
     EXPECT_EQ("\x89PNG", readBytes(dir.path("out/" + world + "_ground_seen.png")).substr(0, 4));
   }
-  EXPECT_EQ(1 + 2 * worlds.size(), rowsOf(dir.path("out/ground_pairs.csv")).size());
+  EXPECT_EQ(1 + 2 * worlds.size(), tableRows(dir.path("out/ground_pairs.csv")).size());
   EXPECT_TRUE(contains(readBytes(dir.path("out/ground_targets.csv")), "at most a third: met"));
 
   // one scenario, two lidars
-  const auto edges = rowsOf(dir.path("out/drop_edges.csv"));
+  const auto edges = tableRows(dir.path("out/drop_edges.csv"));
   ASSERT_EQ(5u, edges.size());
   EXPECT_NE(rowWith(edges, {"drops", "seen"}).at(4),
             rowWith(edges, {"drops_narrow", "seen"}).at(4));
@@ -85,7 +85,7 @@ TEST(Experiment, FreespaceWorldsMayHaveTheirOwnStrictParameters)
       << "[strictConversion]\nfloorFrom = lowestFree\nmaxSlope = 0.5\nmaxStep = 0.2\n"
       << world << replaced(world, "[a]", "[b]") << "maxStep = 1.5\nmaxSlope = 5\n";
   ASSERT_EQ(0, mapconv({"experiment", dir.path("e.ini"), "-o", dir.path("out"), "--quick"}).status);
-  const auto cells = rowsOf(dir.path("out/ground_cells.csv"));
+  const auto cells = tableRows(dir.path("out/ground_cells.csv"));
   for (const std::string map : {"strict", "seen"})
     EXPECT_LT(number(rowWith(cells, {"b", map}), 6), number(rowWith(cells, {"a", map}), 6)) << map;
   EXPECT_FALSE(std::filesystem::exists(dir.path("out/quality.csv"))) << "no world of the paper";
@@ -154,7 +154,7 @@ TEST(Experiment, ScanShapeWritesTablesAndPictures)
     EXPECT_EQ("\x89PNG", readBytes(dir.path(std::string("out/") + name + ".png")).substr(0, 4))
         << name;
 
-  const auto scores = rowsOf(dir.path("out/table1_seeds.csv"));
+  const auto scores = tableRows(dir.path("out/table1_seeds.csv"));
   ASSERT_EQ(6u, scores.size());  // a header, five methods of one drive
   for (std::size_t i = 1; i < scores.size(); ++i)
   {
@@ -162,7 +162,8 @@ TEST(Experiment, ScanShapeWritesTablesAndPictures)
     EXPECT_TRUE(precision > 0.5 && precision <= 1) << scores[i].at(1);
     EXPECT_TRUE(recall > 0.1 && recall < 1) << scores[i].at(1);
     EXPECT_NEAR(2 * precision * recall / (precision + recall), number(scores[i], 4), 2e-3);
-    EXPECT_EQ(scores[i].at(4), rowWith(rowsOf(dir.path("out/table1.csv")), {scores[i][1]}).at(3));
+    EXPECT_EQ(scores[i].at(4),
+              rowWith(tableRows(dir.path("out/table1.csv")), {scores[i][1]}).at(3));
   }
 }
 
@@ -170,13 +171,13 @@ TEST(Experiment, ScanShapeShowsGhostsAndPeople)
 {
   const TempDir dir;
   ASSERT_EQ(0, mapconv({"experiment", kScanShapeIni, "-o", dir.path("out"), "--quick"}).status);
-  const auto cut = rowsOf(dir.path("out/cut.csv"));
+  const auto cut = tableRows(dir.path("out/cut.csv"));
   ASSERT_EQ(2u, cut.size());
   EXPECT_GT(number(cut[1], 3), 0.05);  // the gain of precision
   EXPECT_GT(number(cut[1], 5), 500);   // real ghosts on the map without the cut
   EXPECT_LT(number(cut[1], 7), number(cut[1], 5) / 2);
 
-  const Row people = rowWith(rowsOf(dir.path("out/people.csv")), {"all"});
+  const Row people = rowWith(tableRows(dir.path("out/people.csv")), {"all"});
   EXPECT_GT(number(people, 1), 100);
   EXPECT_EQ(0, number(people, 5));
   for (std::size_t i = 2; i <= 5; ++i) EXPECT_LE(number(people, i), number(people, i - 1)) << i;
@@ -186,8 +187,8 @@ TEST(Experiment, ScanShapeLooksIntoRoomsFromOutside)
 {
   const TempDir dir;
   ASSERT_EQ(0, mapconv({"experiment", kScanShapeIni, "-o", dir.path("out"), "--quick"}).status);
-  const auto whole = rowsOf(dir.path("out/regions.csv"));
-  const auto outside = rowsOf(dir.path("out/regions_outside.csv"));
+  const auto whole = tableRows(dir.path("out/regions.csv"));
+  const auto outside = tableRows(dir.path("out/regions_outside.csv"));
   ASSERT_EQ(9u, whole.size());
   ASSERT_EQ(17u, outside.size());
   for (std::size_t i = 1; i < whole.size(); ++i)
@@ -216,7 +217,7 @@ TEST(Experiment, ScanShapeLeavesOutScansFromInsideTheRoom)
   text = replaced(text, "room = 5.47 9.27 12.33 16.02", "room = 0.02 6.74 24.07 9.39");
   std::ofstream(dir.path("e.ini")) << text;
   ASSERT_EQ(0, mapconv({"experiment", dir.path("e.ini"), "-o", dir.path("out"), "--quick"}).status);
-  const Row row = rowWith(rowsOf(dir.path("out/regions_outside.csv")), {"door_8"});
+  const Row row = rowWith(tableRows(dir.path("out/regions_outside.csv")), {"door_8"});
   EXPECT_EQ("0.0", row.at(3));
   for (std::size_t i = 4; i < row.size(); ++i) EXPECT_EQ(0, number(row, i)) << i;
 }
@@ -227,7 +228,7 @@ TEST(Experiment, ScanShapeTriesItsDefaultsThreeTimes)
   const Outcome outcome = mapconv({"experiment", kScanShapeIni, "-o", dir.path("out"), "--quick"});
   ASSERT_EQ(0, outcome.status);
   EXPECT_TRUE(contains(outcome.out, "The drive of seed 11,"));
-  const auto increments = rowsOf(dir.path("out/increments.csv"));
+  const auto increments = tableRows(dir.path("out/increments.csv"));
   EXPECT_EQ(31u, increments.size());
   const Row defaults = rowWith(increments, {"0.70", "0.45"});
   EXPECT_EQ("14/3", defaults.at(2));
@@ -235,7 +236,7 @@ TEST(Experiment, ScanShapeTriesItsDefaultsThreeTimes)
   EXPECT_EQ("10", rowWith(increments, {"0.90", "0.40"}).at(9));
   EXPECT_EQ("12", rowWith(increments, {"0.90", "0.42"}).at(9));
   EXPECT_EQ("6", rowWith(increments, {"0.90", "0.35"}).at(9));
-  const auto parameters = rowsOf(dir.path("out/parameters.csv"));
+  const auto parameters = tableRows(dir.path("out/parameters.csv"));
   EXPECT_EQ(7u, parameters.size());
   const Row scores(defaults.begin() + 3, defaults.begin() + 9);
   for (const Row& begin : {Row{"structureTolerance [m]", "0.05"}, Row{"sectors", "2516"}})

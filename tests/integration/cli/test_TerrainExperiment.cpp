@@ -51,20 +51,20 @@ TEST(TerrainExperiment, WritesTablesPlotsAndPictures)
   for (const char* plot : {"height_errors.png", "stairs_flight_a.png"})
     EXPECT_EQ("\x89PNG", readBytes(dir.path(std::string("out/") + plot)).substr(0, 4)) << plot;
 
-  const auto times = rowsOf(dir.path("out/times.csv"));
+  const auto times = tableRows(dir.path("out/times.csv"));
   ASSERT_EQ(9u, times.size());  // a header, three worlds and all at two resolutions
   for (const Row& row : times) EXPECT_EQ(10u, row.size());
   // planes and steps of either rule
-  EXPECT_EQ(13u, rowsOf(dir.path("out/planes.csv")).size());
-  EXPECT_EQ(25u, rowsOf(dir.path("out/flights.csv")).size());
-  EXPECT_EQ(29u, rowsOf(dir.path("out/steps.csv")).size());
+  EXPECT_EQ(13u, tableRows(dir.path("out/planes.csv")).size());
+  EXPECT_EQ(25u, tableRows(dir.path("out/flights.csv")).size());
+  EXPECT_EQ(29u, tableRows(dir.path("out/steps.csv")).size());
 }
 
 TEST(TerrainExperiment, ErrorsGrowWithTheNoiseOfPoses)
 {
   const TempDir dir;
   ASSERT_EQ(0, mapconv({"experiment", kIni, "-o", dir.path("out"), "--quick"}).status);
-  const auto errors = rowsOf(dir.path("out/height_errors.csv"));
+  const auto errors = tableRows(dir.path("out/height_errors.csv"));
   ASSERT_EQ(19u, errors.size());
   for (const std::string& world : kWorlds)
   {
@@ -76,7 +76,7 @@ TEST(TerrainExperiment, ErrorsGrowWithTheNoiseOfPoses)
     EXPECT_TRUE(contains(rowWith(errors, {world, "0.05", "1"}).at(9), "62.7 %")) << world;
     EXPECT_EQ("", exact.at(9)) << "targets are for the world's noise";
   }
-  const auto far = rowsOf(dir.path("out/height_errors_far_from_jumps.csv"));
+  const auto far = tableRows(dir.path("out/height_errors_far_from_jumps.csv"));
   ASSERT_EQ(19u, far.size());
   for (std::size_t i = 1; i < far.size(); ++i) EXPECT_LE(number(far[i], 3), number(errors[i], 3));
 }
@@ -85,7 +85,7 @@ TEST(TerrainExperiment, LeavesAreFewerThanCells)
 {
   const TempDir dir;
   ASSERT_EQ(0, mapconv({"experiment", kIni, "-o", dir.path("out"), "--quick"}).status);
-  const auto sizes = rowsOf(dir.path("out/sizes.csv"));
+  const auto sizes = tableRows(dir.path("out/sizes.csv"));
   ASSERT_EQ(7u, sizes.size());
   for (std::size_t i = 1; i < sizes.size(); ++i)
   {
@@ -114,7 +114,7 @@ TEST(TerrainExperiment, RealScansHavePlanes)
   std::ofstream(dir.path("e.ini"))
       << replaced(smallIni(), "../../../shared/data/vlp16_3scans.rawlog", log);
   ASSERT_EQ(0, mapconv({"experiment", dir.path("e.ini"), "-o", dir.path("out"), "--quick"}).status);
-  const auto rows = rowsOf(dir.path("out/real_residuals.csv"));
+  const auto rows = tableRows(dir.path("out/real_residuals.csv"));
   ASSERT_GT(rows.size(), 2u);
   for (std::size_t i = 1; i < rows.size(); ++i)
   {
