@@ -3,12 +3,13 @@
 #include <cmath>
 #include <cstddef>
 
+#include "Traversability.h"
+
 namespace mrpt_mapconv::terrain
 {
 namespace
 {
-constexpr double kReach = 2;   // [m]
-constexpr double kEdge = 0.1;  // [m], over which noise spreads an edge
+constexpr double kReach = 2;  // [m]
 
 /** A way straight on from a cell, to one of its 8 neighbours and further. */
 struct Way

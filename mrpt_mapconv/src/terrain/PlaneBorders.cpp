@@ -8,6 +8,7 @@
 
 #include "../grid/Parallel.h"
 #include "PlaneRows.h"
+#include "PlaneWidth.h"
 
 namespace mrpt_mapconv::terrain
 {
@@ -382,10 +383,10 @@ void PlaneBorders::carve(std::int32_t id, const CellRef& origin)
 
 bool PlaneBorders::isPlane(const PlaneState& state) const
 {
-  constexpr double kNearly = 0.75;  // of the width; holes and ragged edges take some of it
   const PlaneMoments& moments = state.moments;
   return moments.cells() >= m_search.minCells && moments.spans() &&
-         moments.narrowness() >= kNearly * m_search.minWidth && isAllowed(moments.fit(), m_search);
+         moments.narrowness() >= kNearlyFilled * m_search.minWidth &&
+         isAllowed(moments.fit(), m_search);
 }
 
 std::vector<TileCells> PlaneBorders::splitAndDissolve()

@@ -94,8 +94,7 @@ bool PlaneGrowth::isFlat(const PlaneMoments& moments) const
 bool PlaneGrowth::isWide(const PlaneMoments& moments) const
 {
   if (m_search.minWidth <= 1) return true;
-  constexpr double kNearly = 0.75;  // holes and ragged edges take some of it
-  if (moments.narrowness() < kNearly * m_search.minWidth) return false;
+  if (moments.narrowness() < kNearlyFilled * m_search.minWidth) return false;
   const auto row = [this](const Tile& tile, std::int32_t iy) { return m_flood.row(tile, iy); };
   return std::any_of(m_flood.parts().begin(), m_flood.parts().end(),
                      [&](const Flood::Part& part)

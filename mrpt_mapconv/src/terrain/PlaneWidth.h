@@ -4,6 +4,9 @@
 
 namespace mrpt_mapconv::terrain
 {
+/** So much of a width or a square is enough: noise leaves holes and ragged edges. */
+constexpr double kNearlyFilled = 0.75;
+
 /** Whether a square of cells with the corner at a cell of a tile is nearly filled, to three
  * quarters: noise leaves holes. \param side at most kTileSide
  * \param rowOf(tile, iy) gives the cells of a row that count */
@@ -23,7 +26,7 @@ bool isFilledSquare(const Tile& tile, std::int32_t ix, std::int32_t iy, std::int
     const std::uint64_t part = row >> ix & wanted;
     cells += countOf(static_cast<RowBits>(part)) + countOf(static_cast<RowBits>(part >> kTileSide));
   }
-  return 4 * cells >= 3 * side * side;
+  return cells >= kNearlyFilled * side * side;
 }
 
 /** Whether any such square with its corner in a tile is. */

@@ -13,7 +13,6 @@ namespace mrpt_mapconv::terrain
 {
 namespace
 {
-constexpr double kEdge = 0.1;  // [m]
 
 /** Lowest and highest of some heights. */
 struct HeightRange

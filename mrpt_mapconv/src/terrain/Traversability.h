@@ -4,6 +4,9 @@
 
 namespace mrpt_mapconv::terrain
 {
+/** Noise spreads a step over so much [m]. */
+constexpr double kEdge = 0.1;
+
 /** Where a robot can walk: 0 free, 1 occupied, −1 where the height is not known. Occupied is
  * - a cell whose plane is steeper than maxSlope;
  * - a cell with one of its 8 neighbours more than maxStep higher or lower;
