@@ -86,4 +86,16 @@ PlaneMoments Flood::moments(const CellRef& origin) const
   return moments;
 }
 
+void Flood::addPlane(const PlaneMoments& moments, PlaneSet& planes) const
+{
+  const std::int32_t id = planes.add(moments);
+  for (const Part& part : m_parts)
+  {
+    planes.at(id).tiles.take(*part.tile);
+    for (std::int32_t iy = 0; iy < kTileSide; ++iy)
+      forEachBit(part.reached[static_cast<std::size_t>(iy)],
+                 [&](std::int32_t ix) { part.tile->assign(Tile::indexOf(ix, iy), id); });
+  }
+}
+
 }  // namespace mrpt_mapconv::terrain

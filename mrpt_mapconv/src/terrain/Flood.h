@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "PlaneSet.h"
 #include "TileMap.h"
 
 namespace mrpt_mapconv::terrain
@@ -58,6 +59,8 @@ class Flood
   }
   /** Moments of what was reached. */
   PlaneMoments moments(const CellRef& origin) const;
+  /** Makes what was reached, which has these moments, a plane. */
+  void addPlane(const PlaneMoments& moments, PlaneSet& planes) const;
 
  private:
   std::int64_t count() const;

@@ -369,16 +369,9 @@ void PlaneBorders::split(std::int32_t id)
 void PlaneBorders::carve(std::int32_t id, const CellRef& origin)
 {
   const PlaneMoments moments = m_flood.moments(origin);
-  const std::int32_t own = m_planes.add(moments);
+  m_flood.addPlane(moments, m_planes);
   m_planes.at(id).moments.subtract(moments);
   m_planes.at(id).hasChanged = true;
-  for (const Flood::Part& part : m_flood.parts())
-  {
-    m_planes.at(own).tiles.take(*part.tile);
-    for (std::int32_t iy = 0; iy < kTileSide; ++iy)
-      forEachBit(part.reached[static_cast<std::size_t>(iy)],
-                 [&](std::int32_t ix) { part.tile->assign(Tile::indexOf(ix, iy), own); });
-  }
 }
 
 bool PlaneBorders::isPlane(const PlaneState& state) const

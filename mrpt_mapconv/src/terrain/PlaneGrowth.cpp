@@ -126,21 +126,8 @@ bool PlaneGrowth::growFrom(const CellRef& seed, PlaneSet& planes)
     reject();
     return false;
   }
-  assign(moments, planes);
+  m_flood.addPlane(moments, planes);
   return true;
-}
-
-/** Makes what was reached a plane. */
-void PlaneGrowth::assign(const PlaneMoments& moments, PlaneSet& planes)
-{
-  const std::int32_t id = planes.add(moments);
-  for (const Flood::Part& part : m_flood.parts())
-  {
-    planes.at(id).tiles.take(*part.tile);
-    for (std::int32_t iy = 0; iy < kTileSide; ++iy)
-      forEachBit(part.reached[static_cast<std::size_t>(iy)],
-                 [&](std::int32_t ix) { part.tile->assign(Tile::indexOf(ix, iy), id); });
-  }
 }
 
 /** Seeds that were reached are none any more. */

@@ -45,7 +45,7 @@ class PlaneGrowth
   bool isWide(const PlaneMoments& moments) const;
   void reject();
   bool isRejected(const CellRef& seed) const;
-  void assign(const PlaneMoments& moments, PlaneSet& planes);
+
   void lookAhead(const std::vector<CellRef>& seeds, int threads);
   bool isStillHopeless(const CellRef& seed, std::size_t index) const;
   KeyBox reachedBox() const;

@@ -88,10 +88,14 @@ PlaneSet readPlanes(CArchive& in)
   }
   std::vector<std::int32_t> freeNumbers;
   in >> freeNumbers;
+  std::vector<bool> isFree(states.size(), false);
   for (const std::int32_t id : freeNumbers)
+  {
     if (id < 0 || static_cast<std::size_t>(id) >= states.size() ||
-        states[static_cast<std::size_t>(id)].isAlive)
+        states[static_cast<std::size_t>(id)].isAlive || isFree[static_cast<std::size_t>(id)])
       refuse("plane " + std::to_string(id) + " is not free");
+    isFree[static_cast<std::size_t>(id)] = true;
+  }
   PlaneSet planes;
   planes.restore(std::move(states), std::move(freeNumbers));
   return planes;
