@@ -5,8 +5,6 @@
 #include <mrpt_mapconv/freespace/LayerFiles.h>
 #include <mrpt_mapconv/grid/LayerExport.h>
 #include <mrpt_mapconv/params/Text.h>
-#include <mrpt_mapconv/voxel/OctreeFile.h>
-#include <octomap/AbstractOccupancyOcTree.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -42,7 +40,7 @@ void writeOutputs(const freespace::Layers& layers, const ConversionParams& param
 {
   grid::ExportFormats formats{"layers.tif", freespace::metadataOf(params)};
   formats.pictures = formats.gridMaps = formats.rosMaps = true;
-  voxel::writeOctreeFile(out.path("voxels.bt"), input.octree());
+  input.writeOctree(out.path("voxels.bt"));
   constexpr double kLayersShare = 0.9;
   const auto edges = freespace::dropEdges(layers, params);
   grid::exportLayers(out, layers.styled(edges), formats,
@@ -151,6 +149,7 @@ int convert(const ConvertOptions& options)
   const ConversionParams& params = ini.conversion.params;
   InputRequest request = options.input;
   request.insertion = ini.insertion;
+  request.threads = options.threads;
   request.insertionKeys = ini.insertionKeys;
   const auto& keys = ini.conversionKeys;
   request.noEffect.addKeys(amongst(keys, {"robot"}), request.iniFile,

@@ -33,6 +33,7 @@ InputRequest requestOf(const ProjectOptions& options, const IniOptions& ini)
 {
   InputRequest request = options.input;
   request.insertion = ini.insertion;
+  request.threads = options.threads;
   request.insertionKeys = ini.insertionKeys;
   auto keys = ini.conversionKeys;
   const auto isUsed = [](const std::string& key)

@@ -41,27 +41,28 @@ void noteScanOptions(const InputRequest& request, double resolution, NoEffect& n
   noEffect.addKeys(keys, request.iniFile, shownName(request.file) + " holds voxels and no scans");
 }
 
-std::unique_ptr<octomap::OcTree> buildTree(const std::vector<observation::PosedObservation>& scans,
-                                           const InputRequest& request, Progress& progress)
+voxel::VoxelMap buildMap(const std::vector<observation::PosedObservation>& scans,
+                         const InputRequest& request, Progress& progress)
 {
-  auto tree = std::make_unique<octomap::OcTree>(
-      request.resolution.value_or(voxel::VoxelMapParams().resolution));
+  voxel::VoxelMap map(request.resolution.value_or(voxel::VoxelMapParams().resolution));
   const ConsoleLog log;
   observation::SayOnceLog warnings(&log);
   try
   {
-    voxel::insertScans(*tree, scans, request.insertion, &warnings,
-                       [&](double share) { progress.done(share); });
+    voxel::insertScans(
+        map, scans, request.insertion, &warnings, [&](double share) { progress.done(share); },
+        request.threads);
   }
   catch (const std::runtime_error& error)
   {
     throw std::runtime_error(shownName(request.file) + ": " + params::oneLine(error));
   }
-  if (tree->size() == 0)
+  if (map.empty())
     throw std::runtime_error(shownName(request.file) + ": no usable point in " +
                              params::counted(scans.size(), "scan"));
-  return tree;
+  return map;
 }
+
 /** Of 2D scans little can be known, and nothing if they are left out. */
 void checkDimensions(const std::vector<observation::PosedObservation>& scans,
                      const std::string& name, const InputRequest& request)
@@ -95,7 +96,13 @@ void InputMap::read(const InputRequest& request, Progress& progress)
 
 InputMap::~InputMap() = default;
 
-const octomap::AbstractOccupancyOcTree& InputMap::octree() const { return *m_tree; }
+void InputMap::writeOctree(const std::string& path) const
+{
+  if (m_built)
+    m_built->writeOctreeFile(path);
+  else
+    voxel::writeOctreeFile(path, *m_tree);
+}
 
 void InputMap::useTree(const octomap::AbstractOcTree& tree)
 {
@@ -161,8 +168,8 @@ void InputMap::buildFromScans(files::ObjectFile& log, LogKind kind, const InputR
   const ScanFile file = readScans(log, kind, request.log, m_noEffect);
   checkDimensions(file.scans, log.path(), request);
   progress.stage("inserting the scans of " + log.path());
-  m_ownTree = buildTree(file.scans, request, progress);
-  useTree(*m_ownTree);
+  m_built = buildMap(file.scans, request, progress);
+  m_source = m_built->source();
   m_description = file.description;
 }
 

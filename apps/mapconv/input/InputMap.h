@@ -3,6 +3,7 @@
 #include <mrpt/serialization/CSerializable.h>
 #include <mrpt_mapconv/observation/ScanLog.h>
 #include <mrpt_mapconv/voxel/VoxelInsertion.h>
+#include <mrpt_mapconv/voxel/VoxelMap.h>
 #include <mrpt_mapconv/voxel/VoxelSource.h>
 
 #include <memory>
@@ -28,6 +29,7 @@ struct InputRequest
   std::string file;                              //!< "-": what is piped in
   std::string iniFile;                           //!< where settings are from; empty: none
   std::optional<double> resolution;              //!< of a voxel map that is built from scans [m]
+  int threads = 0;                               //!< that build it; 0: all cores
   mrpt_mapconv::observation::RawlogOptions log;  //!< where the poses of a rawlog come from
   mrpt_mapconv::voxel::TVoxelInsertionOptions insertion;  //!< how scans are inserted
   std::vector<std::string> insertionKeys;  //!< of `insertion`, those that iniFile changes
@@ -45,7 +47,8 @@ class InputMap
   ~InputMap();
 
   const mrpt_mapconv::voxel::VoxelSource& source() const { return *m_source; }
-  const octomap::AbstractOccupancyOcTree& octree() const;
+  /** Writes the voxels as a `.bt` file, see voxel::writeOctreeFile(). */
+  void writeOctree(const std::string& path) const;
   /** What it was made of, e.g. "OctoMap file (OcTree)". */
   const std::string& description() const { return m_description; }
 
@@ -61,7 +64,8 @@ class InputMap
   void applyThreshold(const InputRequest& request);
 
   NoEffect m_noEffect;
-  std::unique_ptr<octomap::AbstractOcTree> m_ownTree;  //!< unless it belongs to m_object
+  std::optional<mrpt_mapconv::voxel::VoxelMap> m_built;  //!< of scans
+  std::unique_ptr<octomap::AbstractOcTree> m_ownTree;    //!< unless it belongs to m_object
   mrpt::serialization::CSerializable::Ptr m_object;
   const octomap::AbstractOccupancyOcTree* m_tree = nullptr;
   std::unique_ptr<mrpt_mapconv::voxel::VoxelSource> m_source;

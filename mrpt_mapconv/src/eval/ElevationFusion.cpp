@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "../terrain/Tile.h"
+#include "../grid/Wide.h"
 
 namespace mrpt_mapconv::eval
 {

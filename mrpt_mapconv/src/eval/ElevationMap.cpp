@@ -8,7 +8,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "../terrain/Tile.h"
+#include "../grid/Wide.h"
 #include "ElevationFusion.h"
 #include "ElevationUpdate.h"
 

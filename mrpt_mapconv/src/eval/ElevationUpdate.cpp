@@ -1,7 +1,10 @@
 #include "ElevationUpdate.h"
 
+#include <mrpt_mapconv/terrain/PlaneFit.h>
+
 #include <array>
 
+#include "../grid/Wide.h"
 #include "../terrain/Tile.h"
 
 namespace mrpt_mapconv::eval

@@ -8,6 +8,12 @@
 
 namespace mrpt_mapconv::grid
 {
+/** How many threads are meant: 0 = all cores. */
+inline std::size_t threadCount(int threads)
+{
+  return static_cast<std::size_t>(threads > 0 ? threads : tbb::this_task_arena::max_concurrency());
+}
+
 /** Runs work(begin, end) over parts of [0, count) on up to `threads` threads (0 = all cores). A
  * part is worked on by one thread, which may thus keep scratch memory for it. */
 template <class Work>

@@ -8,7 +8,6 @@
 #include <mrpt_mapconv/maps/OctoMapAccess.h>
 #include <mrpt_mapconv/voxel/OcTreeCopy.h>
 #include <mrpt_mapconv/voxel/OctreeFile.h>
-#include <mrpt_mapconv/voxel/OctreeSource.h>
 #include <octomap/OcTree.h>
 
 #include <algorithm>
@@ -17,49 +16,16 @@
 
 namespace mrpt_mapconv
 {
-using Source = voxel::OctreeSource<octomap::OcTree>;
-
 CFreeSpaceGridMap2D::CFreeSpaceGridMap2D(double resolution)
-    : LayerGridMap2D("CFreeSpaceGridMap2D", resolution),
-      m_octree(std::make_unique<octomap::OcTree>(resolution))
+    : LayerGridMap2D("CFreeSpaceGridMap2D", resolution), m_voxels(resolution)
 {
-  voxelInsertionOptions.applyTo(*m_octree);
-}
-
-CFreeSpaceGridMap2D::~CFreeSpaceGridMap2D() = default;
-
-CFreeSpaceGridMap2D::CFreeSpaceGridMap2D(const CFreeSpaceGridMap2D& o)
-    : LayerGridMap2D(o),
-      voxelInsertionOptions(o.voxelInsertionOptions),
-      renderingOptions(o.renderingOptions),
-      m_conversion(o.m_conversion),
-      m_octree(std::make_unique<octomap::OcTree>(*o.m_octree)),
-      m_layers(o.m_layers),
-      m_pending(o.m_pending),
-      m_sawFree(o.m_sawFree)
-{
-}
-
-CFreeSpaceGridMap2D& CFreeSpaceGridMap2D::operator=(const CFreeSpaceGridMap2D& o)
-{
-  if (this == &o) return *this;
-  auto octree = std::make_unique<octomap::OcTree>(*o.m_octree);
-  LayerGridMap2D::operator=(o);
-  voxelInsertionOptions = o.voxelInsertionOptions;
-  renderingOptions = o.renderingOptions;
-  m_conversion = o.m_conversion;
-  m_octree = std::move(octree);
-  m_layers = o.m_layers;
-  m_pending = o.m_pending;
-  m_sawFree = o.m_sawFree;
-  return *this;
 }
 
 void CFreeSpaceGridMap2D::setConversionOptions(const freespace::TConversionOptions& options)
 {
   freespace::IncrementalLayers layers(options.params);
   if (!m_layers.layers().frame().empty())
-    layers.rebuild(Source(*m_octree), m_layers.layers().frame());
+    layers.rebuild(*m_voxels.source(), m_layers.layers().frame());
   m_conversion = options;
   m_layers = std::move(layers);
   m_sawFree = false;
@@ -69,7 +35,7 @@ void CFreeSpaceGridMap2D::setConversionOptions(const freespace::TConversionOptio
 
 freespace::Layers CFreeSpaceGridMap2D::exactLayers() const
 {
-  return m_layers.exact(Source(*m_octree));
+  return m_layers.exact(*m_voxels.source());
 }
 
 void CFreeSpaceGridMap2D::setVoxelMap(const octomap::OcTree& tree)
@@ -85,8 +51,11 @@ void CFreeSpaceGridMap2D::setVoxelMap(const mrpt::maps::COctoMap& map)
 void CFreeSpaceGridMap2D::setVoxelMap(std::unique_ptr<octomap::OcTree> tree)
 {
   if (!tree) throw std::invalid_argument("setVoxelMap: no octree given");
-  takeOctree(std::move(tree));
-  voxelInsertionOptions.adoptFrom(*m_octree);
+  maps::checkedResolution(tree->getResolution());
+  voxel::VoxelMap voxels(tree->getResolution());
+  voxels.setOctree(std::move(tree));
+  takeVoxels(std::move(voxels));
+  voxelInsertionOptions.adoptModel(m_voxels.model());
 }
 
 void CFreeSpaceGridMap2D::loadVoxelMap(const std::string& file)
@@ -98,19 +67,21 @@ void CFreeSpaceGridMap2D::loadVoxelMap(const std::string& file)
     tree.reset(static_cast<octomap::OcTree*>(read.release()));
   else
     tree = voxel::toOcTree(*read);
-  voxelInsertionOptions.applyTo(*tree);
-  takeOctree(std::move(tree));
+  maps::checkedResolution(tree->getResolution());
+  voxel::VoxelMap voxels(tree->getResolution());
+  voxels.setOctree(std::move(tree));
+  voxels.setModel(voxelInsertionOptions);
+  takeVoxels(std::move(voxels));
 }
 
-/** Converts a tree and, if that succeeds, makes it the map's. */
-void CFreeSpaceGridMap2D::takeOctree(std::unique_ptr<octomap::OcTree> tree)
+/** Converts voxels and, if that succeeds, makes them the map's. */
+void CFreeSpaceGridMap2D::takeVoxels(voxel::VoxelMap voxels)
 {
-  maps::checkedResolution(tree->getResolution());
   freespace::IncrementalLayers layers(m_conversion.params);
-  layers.rebuild(Source(*tree));
+  layers.rebuild(*voxels.source());
   if (!layers.layers().frame().empty()) grid::checkGridMapFrame(layers.layers().frame());
-  setCellSize(tree->getResolution());
-  m_octree = std::move(tree);
+  setCellSize(voxels.resolution());
+  m_voxels = std::move(voxels);
   m_layers = std::move(layers);
   m_pending.clear();
   m_sawFree = false;
@@ -120,7 +91,7 @@ void CFreeSpaceGridMap2D::takeOctree(std::unique_ptr<octomap::OcTree> tree)
 
 void CFreeSpaceGridMap2D::internal_clear()
 {
-  m_octree->clear();
+  m_voxels.clear();
   m_layers = freespace::IncrementalLayers(m_conversion.params);
   m_pending.clear();
   m_sawFree = false;
@@ -129,16 +100,18 @@ void CFreeSpaceGridMap2D::internal_clear()
 
 std::string CFreeSpaceGridMap2D::insertScan(const observation::SensorPoints& scan)
 {
-  // A scan that the layers or MRPT's grid could not hold must not get into the octree.
-  const grid::GridFrame needed =
-      unite(layers().frame(), voxel::frameOfScan(*m_octree, scan, voxelInsertionOptions));
-  freespace::checkFrameSize(needed);
-  grid::checkGridMapFrame(needed);
+  // A scan that the layers or MRPT's grid could not hold must not get into the voxel map.
+  const auto checkFrame = [this](const grid::GridFrame& frame)
+  {
+    const grid::GridFrame needed = unite(layers().frame(), frame);
+    freespace::checkFrameSize(needed);
+    grid::checkGridMapFrame(needed);
+  };
   const mrpt::system::CTicTac watch;
-  m_pending.insert(voxel::insertScan(*m_octree, scan, voxelInsertionOptions, &warnings()));
+  m_pending.insert(m_voxels.insertScan(scan, voxelInsertionOptions, &warnings(), checkFrame));
   const double inserted = watch.Tac();
   const std::size_t columns = m_pending.size();
-  const bool laidOut = followOctree();
+  const bool laidOut = followVoxels();
   warnIfNothingIsFree();
 
   auto& log = times();
@@ -151,9 +124,9 @@ std::string CFreeSpaceGridMap2D::insertScan(const observation::SensorPoints& sca
 
 /** Converts the pending columns. Should it fail, for want of memory say, they stay pending.
  * \return true if everything was laid out anew */
-bool CFreeSpaceGridMap2D::followOctree()
+bool CFreeSpaceGridMap2D::followVoxels()
 {
-  const auto change = m_layers.update(Source(*m_octree), m_pending);
+  const auto change = m_layers.update(*m_voxels.source(), m_pending);
   const bool laidOut =
       showCells(change.everywhere ? voxel::ColumnSet::of(layers().frame()) : change.columns);
   m_pending.clear();
@@ -167,8 +140,7 @@ void CFreeSpaceGridMap2D::warnIfNothingIsFree()
   const auto& aerial = layers().aerial.cells();
   m_sawFree = std::any_of(aerial.begin(), aerial.end(), grid::isFree);
   if (m_sawFree || aerial.empty()) return;
-  if (!voxel::hasFreeVoxel(Source(*m_octree)) &&
-      m_conversion.params.reading.unknown == voxel::Unknown::Unknown)
+  if (!m_voxels.hasFree() && m_conversion.params.reading.unknown == voxel::Unknown::Unknown)
     return warnings().warnOnce(
         "voxels are known, but none is free, as in maps made of clouds or meshes: all cells are "
         "unknown; unknown = free, a conversion option, takes what is above occupied voxels for "
@@ -185,8 +157,8 @@ const grid::Layer<float>& CFreeSpaceGridMap2D::shownOf(const freespace::Layers& 
 
 std::string CFreeSpaceGridMap2D::asString() const
 {
-  return mrpt::format("Free-space grid map of %zu octree nodes; %s", m_octree->size(),
-                      LayerGridMap2D::asString().c_str());
+  return mrpt::format("Free-space grid map of %zu known voxels; %s",
+                      voxel::knownVoxels(*m_voxels.source()), LayerGridMap2D::asString().c_str());
 }
 
 void CFreeSpaceGridMap2D::drawLayers(mrpt::opengl::CSetOfObjects& scene) const

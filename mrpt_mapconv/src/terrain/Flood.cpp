@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "../grid/Wide.h"
+
 namespace mrpt_mapconv::terrain
 {
 namespace

@@ -1,5 +1,7 @@
 #include "PlaneRows.h"
 
+#include "../grid/Wide.h"
+
 namespace mrpt_mapconv::terrain
 {
 namespace

@@ -8,6 +8,7 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "../grid/Wide.h"
 #include "Tile.h"
 
 namespace mrpt_mapconv::terrain

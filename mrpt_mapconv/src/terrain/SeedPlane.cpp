@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "../grid/Wide.h"
+
 namespace mrpt_mapconv::terrain
 {
 namespace

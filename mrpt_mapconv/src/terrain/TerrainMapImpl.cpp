@@ -7,6 +7,7 @@
 #include <tuple>
 
 #include "../grid/Parallel.h"
+#include "../grid/Wide.h"
 #include "Extraction.h"
 
 namespace mrpt_mapconv::terrain

@@ -143,13 +143,6 @@ struct Tile
   }
 };
 
-// Both variants give the same bits: nothing is contracted to fused multiply-add.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-#define MRPT_MAPCONV_WIDE __attribute__((target_clones("avx2", "default")))
-#else
-#define MRPT_MAPCONV_WIDE
-#endif
-
 /** The number of set bits; the built-in one is a call where the processor is not known to count. */
 inline std::int32_t countOf(RowBits bits)
 {

@@ -2,37 +2,20 @@
 
 #include <algorithm>
 
+#include "MortonCode.h"
+
 namespace mrpt_mapconv::voxel
 {
 namespace
 {
-/** Puts two zeros between the bits of a key's coordinate. */
-std::uint64_t spread(std::uint64_t bits)
-{
-  bits = (bits | bits << 16) & 0x0000ff0000ffULL;
-  bits = (bits | bits << 8) & 0x00f00f00f00fULL;
-  bits = (bits | bits << 4) & 0x0c30c30c30c3ULL;
-  return (bits | bits << 2) & 0x249249249249ULL;
-}
-
-octomap::key_type gather(std::uint64_t code)
-{
-  code &= 0x249249249249ULL;
-  code = (code | code >> 2) & 0x0c30c30c30c3ULL;
-  code = (code | code >> 4) & 0x00f00f00f00fULL;
-  code = (code | code >> 8) & 0x0000ff0000ffULL;
-  return static_cast<octomap::key_type>(code | code >> 16);
-}
-
 /** Its bits are, from the highest, the numbers of the children on the way from the root. */
-std::uint64_t codeOf(const octomap::OcTreeKey& key)
-{
-  return spread(key[0]) | spread(key[1]) << 1 | spread(key[2]) << 2;
-}
+std::uint64_t codeOf(const octomap::OcTreeKey& key) { return mortonCode(key[0], key[1], key[2]); }
 
 octomap::OcTreeKey keyOf(std::uint64_t code)
 {
-  return {gather(code), gather(code >> 1), gather(code >> 2)};
+  const auto key = [code](int axis)
+  { return static_cast<octomap::key_type>(gatherBits(code >> axis)); };
+  return {key(0), key(1), key(2)};
 }
 }  // namespace
 
@@ -70,24 +53,20 @@ void BeamVoxels::add(const octomap::OcTreeKey& key, std::vector<std::uint64_t>& 
   if (m_known.insert(code)) codes.push_back(code);
 }
 
-BeamVoxels::BeamVoxels(const octomap::OcTree& tree, const octomap::Pointcloud& hits,
-                       const octomap::Pointcloud& misses, const octomap::point3d& origin,
-                       double maxRange)
+BeamVoxels::BeamVoxels(const octomap::OcTree& tree, const ScanBeams& beams)
 {
-  const auto isWhole = [&](const octomap::point3d& end)
-  { return maxRange < 0 || (end - origin).norm() <= maxRange; };
-
-  octomap::OcTreeKey key;
-  for (const auto& end : hits)  // before the free ones, which these win over
-    if (isWhole(end) && tree.coordToKeyChecked(end, key)) add(key, m_hit);
-
+  const auto octomapKey = [](const VoxelKey& key)
+  {
+    const auto shifted = [](std::int32_t k)
+    { return static_cast<octomap::key_type>(k + kOctomapKeyOffset); };
+    return octomap::OcTreeKey(shifted(key.x), shifted(key.y), shifted(key.z));
+  };
+  for (const auto& beam : beams.hits) add(octomapKey(beam.key), m_hit);  // these win over free ones
   octomap::KeyRay ray;
-  for (const auto* ends : {&hits, &misses})
-    for (const auto& end : *ends)
+  for (const auto* ends : {&beams.hits, &beams.misses})
+    for (const auto& beam : *ends)
     {
-      const auto last =
-          isWhole(end) ? end : origin + (end - origin).normalized() * static_cast<float>(maxRange);
-      if (!tree.computeRayKeys(origin, last, ray)) continue;
+      if (!tree.computeRayKeys(beams.origin, beam.end, ray)) continue;
       for (const auto& crossed : ray) add(crossed, m_free);
     }
   std::sort(m_free.begin(), m_free.end());

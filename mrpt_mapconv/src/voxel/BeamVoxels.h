@@ -5,6 +5,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "ScanBeams.h"
+
 namespace mrpt_mapconv::voxel
 {
 /** The voxels that the beams of a scan go through or end in, each of them once, in the order in
@@ -18,11 +20,7 @@ namespace mrpt_mapconv::voxel
 class BeamVoxels
 {
  public:
-  /** \param hits ends of the beams, in the map's frame [m]
-   * \param misses likewise, of those beams that end in no obstacle
-   * \param maxRange longest part of a beam [m]; −1: all of it */
-  BeamVoxels(const octomap::OcTree& tree, const octomap::Pointcloud& hits,
-             const octomap::Pointcloud& misses, const octomap::point3d& origin, double maxRange);
+  BeamVoxels(const octomap::OcTree& tree, const ScanBeams& beams);
 
   /** Updates the tree: a miss for each free voxel, a hit for each one in which a beam ends. */
   void insertInto(octomap::OcTree& tree, bool lazy) const;

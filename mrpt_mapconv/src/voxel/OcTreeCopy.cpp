@@ -3,7 +3,11 @@
 #include <octomap/OcTree.h>
 #include <octomap/OcTreeStamped.h>
 
+#include <istream>
 #include <stdexcept>
+
+#include "BytesBuffer.h"
+#include "GridOctree.h"
 
 namespace mrpt_mapconv::voxel
 {
@@ -57,6 +61,28 @@ std::unique_ptr<octomap::OcTree> toOcTree(const octomap::AbstractOcTree& tree)
   if (const auto* stamped = dynamic_cast<const octomap::OcTreeStamped*>(&tree))
     return copyTree(*stamped);
   throw std::invalid_argument("octree type '" + tree.getTreeType() + "' holds no occupancy");
+}
+
+std::unique_ptr<octomap::OcTree> toOcTree(const VoxelGrid& grid, bool pruned)
+{
+  auto tree = std::make_unique<octomap::OcTree>(grid.resolution());
+  tree->setOccupancyThres(octomap::probability(grid.occupiedFrom()));
+  const OctreeNodes nodes = fullNodes(grid, pruned);
+  if (nodes.count == 0) return tree;
+  BytesBuffer buffer(nodes.bytes);
+  std::istream stream(&buffer);
+  tree->readData(stream);
+  return tree;
+}
+
+VoxelGrid toVoxelGrid(const octomap::AbstractOcTree& tree,
+                      const std::optional<std::int32_t>& maxMemory)
+{
+  VoxelGrid grid(tree.getResolution());
+  if (const auto* occupancy = dynamic_cast<const octomap::AbstractOccupancyOcTree*>(&tree))
+    grid.setOccupiedFrom(occupancy->getOccupancyThresLog());
+  addLeaves(tree, maxMemory, grid);
+  return grid;
 }
 
 }  // namespace mrpt_mapconv::voxel

@@ -7,14 +7,14 @@
 #include <octomap/OcTreeStamped.h>
 
 #include <algorithm>
-#include <cstring>
 #include <istream>
 #include <limits>
 #include <sstream>
 #include <stdexcept>
-#include <streambuf>
 #include <string_view>
 
+#include "BytesBuffer.h"
+#include "GridOctree.h"
 #include "OctreeHeader.h"
 #include "OctreeNodeCheck.h"
 
@@ -23,25 +23,6 @@ namespace mrpt_mapconv::voxel
 namespace
 {
 using octomap::AbstractOccupancyOcTree;
-
-/** A stream buffer over bytes that stay where they are: a std::istringstream would copy them. */
-class BytesBuffer : public std::streambuf
-{
- public:
-  explicit BytesBuffer(std::string_view bytes) : m_bytes(bytes) {}
-
- protected:
-  std::streamsize xsgetn(char* to, std::streamsize wanted) override
-  {
-    const auto n = std::min(static_cast<std::size_t>(wanted), m_bytes.size());
-    std::memcpy(to, m_bytes.data(), n);
-    m_bytes.remove_prefix(n);
-    return static_cast<std::streamsize>(n);
-  }
-
- private:
-  std::string_view m_bytes;
-};
 
 /** The occupancy trees that OctoMap ships, and what their nodes store in an `.ot` file besides the
  * occupancy (OcTreeStamped does not write its time stamps). */
@@ -158,14 +139,46 @@ void writeOctreeFile(const std::string& path, const AbstractOccupancyOcTree& tre
 {
   std::ostringstream nodes;
   tree.writeBinaryData(nodes);
-  files::writeFile(path, octreeHeaderText(tree, true, remark) + nodes.str());
+  files::writeFile(path, octreeHeaderText(octreeHeaderOf(tree, true), remark) + nodes.str());
+}
+
+void writeOctreeFile(const std::string& path, const VoxelGrid& grid, bool pruned,
+                     const std::string& remark)
+{
+  const OctreeNodes nodes = binaryNodes(grid, pruned);
+  const OctreeHeader header{true, "OcTree", nodes.count, grid.resolution()};
+  files::writeFile(path, octreeHeaderText(header, remark) + nodes.bytes);
+}
+
+std::string fullOctree(const VoxelGrid& grid, bool pruned)
+{
+  const OctreeNodes nodes = fullNodes(grid, pruned);
+  return octreeHeaderText({false, "OcTree", nodes.count, grid.resolution()}) + nodes.bytes;
+}
+
+VoxelGrid readVoxelGrid(std::string_view bytes, const std::string& name,
+                        const std::optional<std::int32_t>& maxMemory)
+{
+  return naming(name,
+                [&]
+                {
+                  const OctreeHeader header = parseOctreeHeader(bytes);
+                  if (header.binary || header.id != "OcTree")
+                    throw std::runtime_error("holds a " + params::printable(header.id, 40) +
+                                             " where an OcTree belongs");
+                  const std::string_view data = bytes.substr(header.length);
+                  checkNodes(header, data, 0);
+                  VoxelGrid grid(header.resolution);
+                  if (header.nodes > 0) addFullNodes(data, maxMemory, grid);
+                  return grid;
+                });
 }
 
 std::string fullOctree(const AbstractOccupancyOcTree& tree)
 {
   std::ostringstream nodes;
   if (tree.size() > 0) tree.writeData(nodes);
-  return octreeHeaderText(tree, false) + nodes.str();
+  return octreeHeaderText(octreeHeaderOf(tree, false)) + nodes.str();
 }
 
 }  // namespace mrpt_mapconv::voxel

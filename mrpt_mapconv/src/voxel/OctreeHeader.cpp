@@ -83,17 +83,20 @@ bool beginsAsOctree(std::string_view bytes)
   return startsWith(bytes, kBinaryFile) || startsWith(bytes, kFullFile);
 }
 
-std::string octreeHeaderText(const octomap::AbstractOcTree& tree, bool binary,
-                             const std::string& remark)
+OctreeHeader octreeHeaderOf(const octomap::AbstractOcTree& tree, bool binary)
+{
+  return {binary, binary ? "OcTree" : tree.getTreeType(), tree.size(), tree.getResolution()};
+}
+
+std::string octreeHeaderText(const OctreeHeader& header, const std::string& remark)
 {
   // OctoMap writes the second line, and stored maps are held against it byte by byte.
-  std::string text(binary ? kBinaryFile : kFullFile);
-  if (!binary)
+  std::string text(header.binary ? kBinaryFile : kFullFile);
+  if (!header.binary)
     text += "\n# (feel free to add / change comments, but leave the first line as it is!)\n#";
   if (!remark.empty()) text += "\n# " + remark;
-  return text + "\nid " + (binary ? "OcTree" : tree.getTreeType()) + "\nsize " +
-         std::to_string(tree.size()) + "\nres " + params::shortestText(tree.getResolution()) +
-         "\ndata\n";
+  return text + "\nid " + header.id + "\nsize " + std::to_string(header.nodes) + "\nres " +
+         params::shortestText(header.resolution) + "\ndata\n";
 }
 
 OctreeHeader parseOctreeHeader(std::string_view bytes)

@@ -29,8 +29,10 @@ struct OctreeHeader
  * \exception std::runtime_error saying what is wrong, without the file's name */
 OctreeHeader parseOctreeHeader(std::string_view bytes);
 
-/** The text in front of a tree's nodes, in the C locale and with all digits of the resolution. */
-std::string octreeHeaderText(const octomap::AbstractOcTree& tree, bool binary,
-                             const std::string& remark = {});
+/** The text in front of a tree's nodes, in the C locale and with all digits of the resolution.
+ * \param header what it says; `length` is not used */
+std::string octreeHeaderText(const OctreeHeader& header, const std::string& remark = {});
+/** That of a tree, whose type a `.bt` file does not keep. */
+OctreeHeader octreeHeaderOf(const octomap::AbstractOcTree& tree, bool binary);
 
 }  // namespace mrpt_mapconv::voxel

@@ -35,6 +35,7 @@ void TVoxelInsertionOptions::check() const
   require(isProbability(clampingThresMin), "clampingThresMin", clampingThresMin, "within [0, 1]");
   require(isProbability(clampingThresMax) && clampingThresMax > clampingThresMin,
           "clampingThresMax", clampingThresMax, "above clampingThresMin and at most 1");
+  require(!maxMemory || *maxMemory > 0, "maxMemory", maxMemory.value_or(0), "above 0 MB, or auto");
   checkTogether();
 }
 
@@ -66,6 +67,15 @@ void TVoxelInsertionOptions::applyTo(octomap::OcTree& tree) const
   tree.setProbMiss(probMiss);
   tree.setClampingThresMin(clampingThresMin);
   tree.setClampingThresMax(clampingThresMax);
+}
+
+void TVoxelInsertionOptions::adoptModel(const TVoxelInsertionOptions& o)
+{
+  occupancyThres = o.occupancyThres;
+  probHit = o.probHit;
+  probMiss = o.probMiss;
+  clampingThresMin = o.clampingThresMin;
+  clampingThresMax = o.clampingThresMax;
 }
 
 void TVoxelInsertionOptions::adoptFrom(const octomap::OcTree& tree)

@@ -2,6 +2,7 @@
 #include <mrpt_mapconv/voxel/VoxelSource.h>
 
 #include <algorithm>
+#include <bitset>
 
 namespace mrpt_mapconv::voxel
 {
@@ -57,6 +58,21 @@ std::optional<std::int32_t> VoxelSource::top() const
                return false;
              });
   return top;
+}
+
+std::size_t knownVoxels(const VoxelSource& source)
+{
+  std::size_t known = 0;
+  readBlocks(source,
+             [&known](const ColumnBlock& block)
+             {
+               const std::ptrdiff_t size =
+                   static_cast<std::ptrdiff_t>(block.words()) * kBlockColumns;
+               for (std::ptrdiff_t i = 0; i < size; ++i)
+                 known += std::bitset<64>(block.freePlane()[i] | block.occupiedPlane()[i]).count();
+               return false;
+             });
+  return known;
 }
 
 bool hasFreeVoxel(const VoxelSource& source)

@@ -1,11 +1,13 @@
 #include <gtest/gtest.h>
+#include <mrpt_mapconv/voxel/OctreeFile.h>
 #include <mrpt_mapconv/voxel/VoxelInsertion.h>
 #include <octomap/OcTree.h>
 
 #include <random>
 #include <sstream>
 
-// insertScan() against OctoMap's own insertPointCloud(): the same tree, bit by bit.
+// insertScan() against OctoMap's own insertPointCloud(): the same voxels, bit by bit, in an octree and
+// in a grid.
 
 using namespace mrpt_mapconv::voxel;
 using namespace mrpt_mapconv::observation;
@@ -62,14 +64,17 @@ void expectSameTrees(const TVoxelInsertionOptions& options, const mrpt::poses::C
   {
     std::mt19937 random(seed);
     octomap::OcTree tree(0.1), twin(0.1);
+    VoxelGrid grid(0.1);
     for (int i = 0; i < kScans; ++i)
     {
       const auto scan = randomScan(random, middle);
       insertScan(tree, scan, options);
+      insertScan(grid, scan, options);
       insertAsOctomapDoes(twin, scan, options);
     }
     EXPECT_GT(twin.size(), 10000u);
     EXPECT_TRUE(bytesOf(tree) == bytesOf(twin)) << "seed " << seed;
+    EXPECT_TRUE(fullOctree(grid, options.pruning) == fullOctree(twin)) << "seed " << seed;
   }
 }
 }  // namespace
@@ -105,6 +110,8 @@ TEST(InsertedVoxels, AreThoseOfTheSlowTwinWithBeamsWithoutReturn)
     SensorPoints scan = randomScan(random, {});
     scan.noReturns = randomScan(random, {}).points;
     insertScan(tree, scan, {});
+    VoxelGrid grid(0.1);
+    insertScan(grid, scan, {});
 
     const auto inMap = [&scan](const mrpt::math::TPoint3Df& point)
     {
@@ -125,5 +132,6 @@ TEST(InsertedVoxels, AreThoseOfTheSlowTwinWithBeamsWithoutReturn)
       if (hits.count(key) == 0) twin.updateNode(key, false);
     for (const auto& key : hits) twin.updateNode(key, true);
     EXPECT_TRUE(bytesOf(tree) == bytesOf(twin)) << "seed " << seed;
+    EXPECT_TRUE(fullOctree(grid) == fullOctree(twin)) << "seed " << seed;
   }
 }

@@ -79,7 +79,11 @@ TEST(VoxelInsertion, ABeamWithoutReturnFreesAndOccupiesNothing)
   EXPECT_EQ(stateAt(tree, 3.5, 0.5, 0.5), State::Free);
   EXPECT_EQ(stateAt(tree, 4.5, 0.5, 0.5), State::Unknown);
   EXPECT_EQ(4u, changed.size());
-  EXPECT_EQ((grid::GridFrame{1.0, 0, 0, 5, 1}), voxel::frameOfScan(tree, seen, {}));
+
+  voxel::VoxelMap map(1.0);
+  grid::GridFrame frame;
+  map.insertScan(seen, {}, nullptr, [&frame](const grid::GridFrame& f) { frame = f; });
+  EXPECT_EQ((grid::GridFrame{1.0, 0, 0, 5, 1}), frame);
 
   TVoxelInsertionOptions options;
   options.maxrange = 2.5;

@@ -4,7 +4,7 @@
 #include <mrpt_mapconv/freespace/ConversionOptions.h>
 #include <mrpt_mapconv/freespace/FreeSpaceScene.h>
 #include <mrpt_mapconv/maps/LayerGridMap2D.h>
-#include <mrpt_mapconv/voxel/VoxelInsertion.h>
+#include <mrpt_mapconv/voxel/VoxelMap.h>
 #include <mrpt_mapconv/voxel/VoxelMapParams.h>
 
 #include <memory>
@@ -20,12 +20,12 @@ namespace mrpt_mapconv
 {
 /** An occupancy grid that is made of a voxel map by free-space projection.
  *
- * The map holds an octree. insertObservation() inserts a scan into it and converts the columns that
- * have changed; the grid that this map *is* always shows the layer for the configured robot, so
- * MRPT's likelihoods, ICP, planners and viewers use it as any other COccupancyGridMap2D. Its frame
- * is that of layers(), whose cells lie on voxel columns. What its cells say, which observations
- * count, and what happens when MRPT resizes it: see maps::LayerGridMap2D. 2D scans count unless
- * insert2D is false.
+ * insertObservation() inserts a scan into the voxel map and converts the columns that have changed;
+ * the grid that this map *is* always shows the layer for the configured robot, so MRPT's
+ * likelihoods, ICP, planners and viewers use it as any other COccupancyGridMap2D. Its frame is that
+ * of layers(), whose cells lie on voxel columns. What its cells say, which observations count, and
+ * what happens when MRPT resizes it: see maps::LayerGridMap2D. 2D scans count unless insert2D is
+ * false.
  *
  * insertionTimes() has, beside "insert", its parts "insert.voxels" and "insert.layers" [s], and as
  * user measures "insert.columns", how many columns have changed, and "insert.laidOut", 1 if all
@@ -57,9 +57,6 @@ class CFreeSpaceGridMap2D : public maps::LayerGridMap2D
   /** An empty map. \param resolution size of voxels and cells, 0.0001 to 1000 m
    * \exception std::invalid_argument for another resolution */
   explicit CFreeSpaceGridMap2D(double resolution = voxel::VoxelMapParams().resolution);
-  ~CFreeSpaceGridMap2D() override;
-  CFreeSpaceGridMap2D(const CFreeSpaceGridMap2D& o);
-  CFreeSpaceGridMap2D& operator=(const CFreeSpaceGridMap2D& o);
 
   /** How scans go into the voxel map. Takes effect with the next insertion. */
   voxel::TVoxelInsertionOptions voxelInsertionOptions;
@@ -72,7 +69,10 @@ class CFreeSpaceGridMap2D : public maps::LayerGridMap2D
   void setConversionOptions(const freespace::TConversionOptions& options);
 
   /** The voxel map. */
-  const octomap::OcTree& octree() const { return *m_octree; }
+  const voxel::VoxelMap& voxelMap() const { return m_voxels; }
+  /** The voxel map as an octree, made when it is first asked for and kept until the map changes;
+   * several threads may ask at once. */
+  const octomap::OcTree& octree() const { return m_voxels.octree(); }
   /** All layers, on a frame that holds every known voxel and maybe some room around. */
   const freespace::Layers& layers() const { return m_layers.layers(); }
   /** All layers on the exact bounding box of the known voxels; empty if there is none. */
@@ -103,15 +103,15 @@ class CFreeSpaceGridMap2D : public maps::LayerGridMap2D
 
  private:
   const grid::Layer<float>& shownOf(const freespace::Layers& layers) const;
-  void takeOctree(std::unique_ptr<octomap::OcTree> tree);
-  bool followOctree();
+  void takeVoxels(voxel::VoxelMap voxels);
+  bool followVoxels();
   void warnIfNothingIsFree();
-  void readOctree(mrpt::serialization::CArchive& in);
+  void readVoxels(mrpt::serialization::CArchive& in);
 
   freespace::TConversionOptions m_conversion;
-  std::unique_ptr<octomap::OcTree> m_octree;
+  voxel::VoxelMap m_voxels;
   freespace::IncrementalLayers m_layers;
-  voxel::ColumnSet m_pending;  //!< changed in the octree, but not yet in the layers
+  voxel::ColumnSet m_pending;  //!< changed in the voxel map, but not yet in the layers
   bool m_sawFree = false;      //!< some cell was free once, so nobody needs to be warned
 
   MAP_DEFINITION_START(CFreeSpaceGridMap2D)

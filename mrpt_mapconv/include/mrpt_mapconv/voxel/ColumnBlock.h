@@ -67,6 +67,17 @@ class ColumnBlock
     if (occupied) orPairs(m_occupied.data() + at, occupied, shift);
   }
 
+  /** Marks up to 32 voxels of column (x, y), from z key z on, which is a multiple of 16; the lowest
+   * is the lowest bit. They must not reach across a multiple of 32. */
+  void markColumn(std::int32_t x, std::int32_t y, std::int32_t z, std::uint32_t free,
+                  std::uint32_t occupied)
+  {
+    const auto above = static_cast<std::uint32_t>(z - m_zMin);
+    const std::size_t at = (above >> 6) * kBlockColumns + columnIndex(x, y);
+    m_free[at] |= static_cast<std::uint64_t>(free) << (above & 63u);
+    m_occupied[at] |= static_cast<std::uint64_t>(occupied) << (above & 63u);
+  }
+
   /** Marks as free, in each column with an occupied voxel, the unknown voxels from its lowest
    * occupied one up to z key zLast. Called after the source has marked what it knows. */
   void freeUnknownAboveOccupied(std::int32_t zLast);

@@ -1,8 +1,11 @@
 #pragma once
 
 #include <mrpt_mapconv/files/InputStream.h>
+#include <mrpt_mapconv/voxel/VoxelGrid.h>
 
+#include <cstdint>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -44,5 +47,19 @@ void writeOctreeFile(const std::string& path, const octomap::AbstractOccupancyOc
 /** The bytes of an `.ot` file, which keeps the occupancy of every node, whatever C++ locale the
  * process has (OctoMap's own writing puts separators into the numbers of its header). */
 std::string fullOctree(const octomap::AbstractOccupancyOcTree& tree);
+
+/** The same two of a VoxelGrid, as if it were the octree of its voxels.
+ * \param pruned eight equal children become one node, as in a tree that OctoMap keeps pruned
+ * \exception std::runtime_error if the grid reaches beyond an octree's range of ±32768 voxels @{ */
+void writeOctreeFile(const std::string& path, const VoxelGrid& grid, bool pruned = true,
+                     const std::string& remark = {});
+std::string fullOctree(const VoxelGrid& grid, bool pruned = true);
+/** @} */
+
+/** Reads the bytes of an `.ot` file of an OcTree, with all checks of readOctree(), into a grid.
+ * \param maxMemory of the grid [MB]; none: three quarters of the machine's
+ * \exception std::runtime_error as readOctree(), and if the grid would exceed maxMemory */
+VoxelGrid readVoxelGrid(std::string_view bytes, const std::string& name,
+                        const std::optional<std::int32_t>& maxMemory = {});
 
 }  // namespace mrpt_mapconv::voxel

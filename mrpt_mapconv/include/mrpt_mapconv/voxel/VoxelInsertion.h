@@ -4,6 +4,7 @@
 #include <mrpt_mapconv/observation/ScanLog.h>
 #include <mrpt_mapconv/voxel/ColumnSet.h>
 #include <mrpt_mapconv/voxel/VoxelInsertionOptions.h>
+#include <mrpt_mapconv/voxel/VoxelMap.h>
 
 #include <cstddef>
 #include <functional>
@@ -16,22 +17,24 @@ class OcTree;
 
 namespace mrpt_mapconv::voxel
 {
-/** The frame that holds everything a scan can change: its sensor and the ends of its beams, as far
- * as they lie in the tree. */
-grid::GridFrame frameOfScan(const octomap::OcTree& tree, const observation::SensorPoints& scan,
-                            const TVoxelInsertionOptions& options);
-
-/** Inserts a scan into a voxel map: free along each beam, occupied at its end if something
- * returned from there.
+/** Inserts a scan into an octree by OctoMap, or into a grid as if it were one: free along each
+ * beam, occupied at its end if something returned from there, each voxel at most once. The log-odds
+ * are, bit for bit, those of octomap::OcTree::insertPointCloud() with beams without return as
+ * clearing ones. A map with both engines: VoxelMap.
  *
  * \param scan its points and the pose of the sensor in the map
- * \param warnings told of points that lie outside the tree's range of ±32768 voxels (left out)
+ * \param warnings told of points that lie outside the range of ±32768 voxels (left out)
+ * \param threads 0 = all cores
  * \return the columns in which a voxel has become known or has changed between free and occupied
- * \exception std::runtime_error for a sensor pose that is not finite or outside the tree's range;
- * the tree then stays as it was */
-voxel::ColumnSet insertScan(octomap::OcTree& tree, const observation::SensorPoints& scan,
-                            const TVoxelInsertionOptions& options,
-                            observation::SayOnceLog* warnings = nullptr);
+ * \exception std::runtime_error for a sensor pose that is not finite or outside the range, or for a
+ * grid that would exceed options.maxMemory; the map then stays as it was @{ */
+ColumnSet insertScan(octomap::OcTree& tree, const observation::SensorPoints& scan,
+                     const TVoxelInsertionOptions& options,
+                     observation::SayOnceLog* warnings = nullptr);
+ColumnSet insertScan(VoxelGrid& grid, const observation::SensorPoints& scan,
+                     const TVoxelInsertionOptions& options,
+                     observation::SayOnceLog* warnings = nullptr, int threads = 0);
+/** @} */
 
 /** What a series of scans did to a voxel map. */
 struct InsertedScans
@@ -45,12 +48,18 @@ struct InsertedScans
  *
  * \param warnings told of what could not be used; may be null
  * \param progress told, before each scan, the share of them that is done, [0, 1); may be empty
+ * \param threads 0 = all cores; an octree takes one
  * \exception std::runtime_error for a scan whose data are damaged or whose sensor pose is not
- * valid; the scans before it are in the tree by then */
+ * valid; the scans before it are in the map by then @{ */
 InsertedScans insertScans(octomap::OcTree& tree,
                           const std::vector<observation::PosedObservation>& scans,
                           const TVoxelInsertionOptions& options,
                           observation::SayOnceLog* warnings = nullptr,
                           const std::function<void(double)>& progress = {});
+InsertedScans insertScans(VoxelMap& map, const std::vector<observation::PosedObservation>& scans,
+                          const TVoxelInsertionOptions& options,
+                          observation::SayOnceLog* warnings = nullptr,
+                          const std::function<void(double)>& progress = {}, int threads = 0);
+/** @} */
 
 }  // namespace mrpt_mapconv::voxel

@@ -3,6 +3,7 @@
 #include <mrpt_mapconv/grid/GridFrame.h>
 #include <mrpt_mapconv/voxel/ColumnBlock.h>
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 
@@ -51,5 +52,7 @@ class VoxelSource
 
 /** Whether any voxel of a map is free. */
 bool hasFreeVoxel(const VoxelSource& source);
+/** How many voxels of a map are known. */
+std::size_t knownVoxels(const VoxelSource& source);
 
 }  // namespace mrpt_mapconv::voxel

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <mrpt_mapconv/voxel/ColumnSet.h>
+#include <mrpt_mapconv/voxel/VoxelGrid.h>
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+
+#include "KnownRegions.h"
+#include "OccupancyModel.h"
+#include "ScanBeams.h"
+
+namespace mrpt_mapconv::voxel
+{
+/** The voxels that the beams of a scan go through or end in, a bit each: those of
+ * octomap::OcTree::computeUpdate(). */
+class BeamMask
+{
+ public:
+  /** \param threads that work on it; 0 = all cores */
+  BeamMask(const ScanBeams& beams, int threads);
+
+  /** Bytes by which an update would make a grid larger, at most. */
+  std::size_t bytesFor(const VoxelGrid& grid) const;
+  /** Updates a grid as octomap::OcTree::insertPointCloud() does a tree: each voxel at most once, a
+   * hit where a beam ends, else a miss.
+   * \return the columns in which a voxel has become known or has changed between free and occupied
+   */
+  ColumnSet update(VoxelGrid& grid, const OccupancyModel& model, int threads) const;
+
+ private:
+  struct alignas(64) Bits
+  {
+    std::array<std::uint16_t, kBrickColumns> crossed{}, hit{};
+  };
+  using Table = RegionTable<std::unique_ptr<Bits>>;
+  /** A brick that has a bit, and where it belongs in a grid. */
+  struct Update
+  {
+    const Bits* bits;
+    VoxelKey origin;
+    VoxelGrid::Slot* slot;
+  };
+
+  explicit BeamMask(const OctomapKeys& keys) : m_keys(keys) {}
+  Table::Region& region(const VoxelKey& key);
+  static Bits& bitsOf(Table::Region& region, std::size_t brick);
+  void hit(const VoxelKey& voxel);
+  void cross(const octomap::point3d& origin, const ScanBeams::Beam& beam, const VoxelKey& from);
+  void addShare(const ScanBeams& beams, std::size_t share, std::size_t shares);
+  void add(BeamMask&& other);
+  static void update(const Update& update, const OccupancyModel& model, ColumnSet& changed);
+
+  OctomapKeys m_keys;
+  Table m_table;
+  KnownRegions<Table::Region*> m_recent;
+};
+
+}  // namespace mrpt_mapconv::voxel

@@ -1,0 +1,155 @@
+#include <mrpt_mapconv/grid/Resolution.h>
+#include <mrpt_mapconv/params/Text.h>
+#include <mrpt_mapconv/voxel/OcTreeCopy.h>
+#include <mrpt_mapconv/voxel/OctreeFile.h>
+#include <mrpt_mapconv/voxel/OctreeSource.h>
+#include <mrpt_mapconv/voxel/VoxelGridSource.h>
+#include <mrpt_mapconv/voxel/VoxelMap.h>
+#include <octomap/OcTree.h>
+
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "BeamInsertion.h"
+#include "OccupancyModel.h"
+
+namespace mrpt_mapconv::voxel
+{
+VoxelMap::VoxelMap(double resolution) : m_resolution(resolution), m_grid(std::in_place, resolution)
+{
+}
+
+VoxelMap::~VoxelMap() = default;
+
+VoxelMap::VoxelMap(const VoxelMap& o)
+    : m_resolution(o.m_resolution), m_model(o.m_model), m_pruned(o.m_pruned), m_grid(o.m_grid)
+{
+  if (!m_grid) m_tree = std::make_unique<octomap::OcTree>(*o.m_tree);
+}
+
+VoxelMap& VoxelMap::operator=(const VoxelMap& o)
+{
+  if (this != &o) *this = VoxelMap(o);
+  return *this;
+}
+
+VoxelMap::VoxelMap(VoxelMap&& o) noexcept
+    : m_resolution(o.m_resolution),
+      m_model(o.m_model),
+      m_pruned(o.m_pruned),
+      m_grid(std::move(o.m_grid)),
+      m_tree(std::move(o.m_tree))
+{
+}
+
+VoxelMap& VoxelMap::operator=(VoxelMap&& o) noexcept
+{
+  m_resolution = o.m_resolution;
+  m_model = o.m_model;
+  m_pruned = o.m_pruned;
+  m_grid = std::move(o.m_grid);
+  m_tree = std::move(o.m_tree);
+  return *this;
+}
+
+bool VoxelMap::empty() const { return m_grid ? m_grid->empty() : m_tree->size() == 0; }
+
+std::unique_ptr<VoxelSource> VoxelMap::source() const
+{
+  if (m_grid) return std::make_unique<VoxelGridSource>(*m_grid);
+  return std::make_unique<OctreeSource<octomap::OcTree>>(*m_tree);
+}
+
+const octomap::OcTree& VoxelMap::octree() const
+{
+  const std::lock_guard<std::mutex> lock(m_making);
+  if (!m_tree)
+  {
+    auto tree = toOcTree(*m_grid, m_pruned);
+    m_model.applyTo(*tree);
+    m_tree = std::move(tree);
+  }
+  return *m_tree;
+}
+
+std::string VoxelMap::fullOctree() const
+{
+  return m_grid ? voxel::fullOctree(*m_grid, m_pruned) : voxel::fullOctree(*m_tree);
+}
+
+void VoxelMap::writeOctreeFile(const std::string& path) const
+{
+  if (m_grid)
+    voxel::writeOctreeFile(path, *m_grid, m_pruned);
+  else
+    voxel::writeOctreeFile(path, *m_tree);
+}
+
+void VoxelMap::setModel(const TVoxelInsertionOptions& model)
+{
+  m_model = model;
+  if (m_grid) m_grid->setOccupiedFrom(OccupancyModel(model).occupiedFrom);
+  if (m_tree) model.applyTo(*m_tree);
+}
+
+void VoxelMap::setOctree(std::unique_ptr<octomap::OcTree> tree)
+{
+  if (!tree) throw std::invalid_argument("no octree given");
+  m_resolution = tree->getResolution();
+  m_model.adoptFrom(*tree);
+  m_tree = std::move(tree);
+  m_grid.reset();
+}
+
+void VoxelMap::setFullOctree(std::string_view bytes, const std::string& name, double resolution)
+{
+  VoxelGrid grid = readVoxelGrid(bytes, name);
+  if (!(std::abs(grid.resolution() / resolution - 1) < 1e-5))
+    throw std::runtime_error(name + ": two different resolutions");
+  grid.setResolution(resolution);
+  grid.setOccupiedFrom(OccupancyModel(m_model).occupiedFrom);
+  m_resolution = resolution;
+  m_grid = std::move(grid);
+  m_tree.reset();
+}
+
+void VoxelMap::clear()
+{
+  m_tree.reset();
+  m_grid.emplace(m_resolution);
+  m_grid->setOccupiedFrom(OccupancyModel(m_model).occupiedFrom);
+}
+
+/** What scans of this engine go into; the other form is given up. */
+VoxelGrid& VoxelMap::asGrid(const TVoxelInsertionOptions& options)
+{
+  if (!m_grid) m_grid = toVoxelGrid(*m_tree, options.maxMemory);
+  m_tree.reset();
+  return *m_grid;
+}
+
+octomap::OcTree& VoxelMap::asOctree()
+{
+  octree();
+  m_grid.reset();
+  return *m_tree;
+}
+
+ColumnSet VoxelMap::insertScan(const observation::SensorPoints& scan,
+                               const TVoxelInsertionOptions& options,
+                               observation::SayOnceLog* warnings,
+                               const std::function<void(const grid::GridFrame&)>& check,
+                               int threads)
+{
+  const ScanBeams beams = beamsOf(m_resolution, scan, options, warnings);
+  if (check) check(beams.frame());
+  auto changed = options.voxelEngine == VoxelEngine::Blocks
+                     ? insertBeams(asGrid(options), beams, options, threads)
+                     : insertBeams(asOctree(), beams, options);
+  m_model = options;
+  m_pruned = options.pruning;
+  return changed;
+}
+
+}  // namespace mrpt_mapconv::voxel
