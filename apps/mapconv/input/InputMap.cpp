@@ -167,6 +167,8 @@ void InputMap::buildFromScans(files::ObjectFile& log, LogKind kind, const InputR
 {
   const ScanFile file = readScans(log, kind, request.log, m_noEffect);
   checkDimensions(file.scans, log.path(), request);
+  if (request.insertion.voxelEngine == voxel::VoxelEngine::Octomap && request.insertion.maxMemory)
+    m_noEffect.addKeys({"maxMemory"}, request.iniFile, "voxelEngine is octomap");
   progress.stage("inserting the scans of " + log.path());
   m_built = buildMap(file.scans, request, progress);
   m_source = m_built->source();

@@ -187,13 +187,14 @@ class BeamCrossings
 };
 }  // namespace
 
-BeamMask::BeamMask(const ScanBeams& beams, int threads) : m_keys(beams.keys)
+BeamMask::BeamMask(const ScanBeams& beams, MemoryBudget& budget, int threads)
+    : BeamMask(beams.keys, budget)
 {
   constexpr std::size_t kFewBeams = 1024;  // for which a thread does not pay
   const std::size_t shares = std::min(grid::threadCount(threads),
                                       (beams.hits.size() + beams.misses.size()) / kFewBeams + 1);
   std::vector<BeamMask> masks;
-  for (std::size_t i = 1; i < shares; ++i) masks.push_back(BeamMask(m_keys));
+  for (std::size_t i = 1; i < shares; ++i) masks.push_back(BeamMask(m_keys, budget));
   grid::inParallel(shares, threads,
                    [&](std::size_t begin, std::size_t end)
                    {
@@ -248,7 +249,11 @@ BeamMask::Table::Region& BeamMask::region(const VoxelKey& key)
 BeamMask::Bits& BeamMask::bitsOf(Table::Region& region, std::size_t brick)
 {
   auto& bits = region[brick];
-  if (!bits) bits = std::make_unique<Bits>();
+  if (!bits)
+  {
+    m_budget->take(sizeof(Bits));
+    bits = std::make_unique<Bits>();
+  }
   return *bits;
 }
 

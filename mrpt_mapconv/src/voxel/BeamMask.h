@@ -9,6 +9,7 @@
 #include <memory>
 
 #include "KnownRegions.h"
+#include "MemoryLimit.h"
 #include "OccupancyModel.h"
 #include "ScanBeams.h"
 
@@ -19,8 +20,10 @@ namespace mrpt_mapconv::voxel
 class BeamMask
 {
  public:
-  /** \param threads that work on it; 0 = all cores */
-  BeamMask(const ScanBeams& beams, int threads);
+  /** \param budget for its own bits
+   * \param threads that work on it; 0 = all cores
+   * \exception std::runtime_error if the budget does not do */
+  BeamMask(const ScanBeams& beams, MemoryBudget& budget, int threads);
 
   /** Bytes by which an update would make a grid larger, at most. */
   std::size_t bytesFor(const VoxelGrid& grid) const;
@@ -44,9 +47,9 @@ class BeamMask
     VoxelGrid::Slot* slot;
   };
 
-  explicit BeamMask(const OctomapKeys& keys) : m_keys(keys) {}
+  BeamMask(const OctomapKeys& keys, MemoryBudget& budget) : m_keys(keys), m_budget(&budget) {}
   Table::Region& region(const VoxelKey& key);
-  static Bits& bitsOf(Table::Region& region, std::size_t brick);
+  Bits& bitsOf(Table::Region& region, std::size_t brick);
   void hit(const VoxelKey& voxel);
   void cross(const octomap::point3d& origin, const ScanBeams::Beam& beam, const VoxelKey& from);
   void addShare(const ScanBeams& beams, std::size_t share, std::size_t shares);
@@ -54,6 +57,7 @@ class BeamMask
   static void update(const Update& update, const OccupancyModel& model, ColumnSet& changed);
 
   OctomapKeys m_keys;
+  MemoryBudget* m_budget;
   Table m_table;
   KnownRegions<Table::Region*> m_recent;
 };

@@ -105,7 +105,7 @@ class NodeWriter
     if (side == 1)
     {
       const auto& slot = region[static_cast<std::size_t>((x * kRegionSide + y) * kRegionSide + z)];
-      if (slot.brick) return writeVoxels(slot.brick->logOdds.data(), kBrickSide);
+      if (slot.brick) return writeVoxels<kBrickSide>(slot.brick->logOdds.data());
       return isTouched(slot.value) ? writeEqual(slot.value, kBrickSide) : Node{};
     }
     const std::int32_t half = side / 2;
@@ -117,18 +117,55 @@ class NodeWriter
         });
   }
 
-  /** \param voxels the lowest voxel of a cube within a brick */
-  Node writeVoxels(const float* voxels, std::int32_t side)
+  /** \param voxels the lowest voxel of a cube of side³ voxels within a brick */
+  template <std::int32_t side>
+  Node writeVoxels(const float* voxels)
   {
-    if (side == 1) return isTouched(*voxels) ? writeLeaf(*voxels) : Node{};
-    const std::int32_t half = side / 2;
-    return writeInner(
-        [&](unsigned i)
-        {
-          return writeVoxels(voxels + (i & 1 ? half * kBrickColumns : 0) +
-                                 (i & 2 ? half * kBrickSide : 0) + (i & 4 ? half : 0),
-                             half);
-        });
+    if constexpr (side == 2)
+      return writeOctet(voxels);
+    else
+      return writeInner([&](unsigned i)
+                        { return writeVoxels<side / 2>(voxels + offset(i, side / 2)); });
+  }
+
+  /** Where child i of a cube in a brick begins, whose sides are so long. */
+  static constexpr std::int32_t offset(unsigned i, std::int32_t side)
+  {
+    return (i & 1 ? side * kBrickColumns : 0) + (i & 2 ? side * kBrickSide : 0) +
+           (i & 4 ? side : 0);
+  }
+
+  /** The same as writeInner() with eight voxels or fewer, at one go: most nodes are voxels. */
+  Node writeOctet(const float* voxels)
+  {
+    std::array<Node, 8> children;
+    std::size_t known = 0;
+    bool equal = true;
+    float most = std::numeric_limits<float>::lowest();
+    for (unsigned i = 0; i < 8; ++i)
+    {
+      const float value = voxels[offset(i, 1)];
+      if (!isTouched(value)) continue;
+      children[i] = {Node::Leaf, value};
+      ++known;
+      equal = equal && value == voxels[0];
+      most = std::max(most, value);
+    }
+    if (known == 0) return {};
+    if (known == 8 && equal && m_pruned) return writeLeaf(voxels[0]);
+    const std::size_t at = m_bytes.size();
+    m_bytes.resize(at + Format::kInnerBytes + known * Format::kLeafBytes);
+    char* next = m_bytes.data() + at;
+    m_format.putInner(next, most, children);
+    next += Format::kInnerBytes;
+    for (const Node& child : children)
+      if (child.kind == Node::Leaf)
+      {
+        m_format.putLeaf(next, child.value);
+        next += Format::kLeafBytes;
+      }
+    m_count += 1 + known;
+    return {Node::Inner, most};
   }
 
   /** A cube of equal voxels. */

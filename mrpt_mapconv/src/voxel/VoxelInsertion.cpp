@@ -64,7 +64,8 @@ ColumnSet insertBeams(octomap::OcTree& tree, const ScanBeams& beams,
 ColumnSet insertBeams(VoxelGrid& grid, const ScanBeams& beams,
                       const TVoxelInsertionOptions& options, int threads)
 {
-  const BeamMask mask(beams, threads);
+  MemoryBudget budget(grid, options.maxMemory);
+  const BeamMask mask(beams, budget, threads);
   requireMemory(grid, mask.bytesFor(grid), options.maxMemory);
   const OccupancyModel model(options);
   const float threshold = grid.occupiedFrom();

@@ -23,7 +23,7 @@ VoxelMap::VoxelMap(double resolution) : m_resolution(resolution), m_grid(std::in
 VoxelMap::~VoxelMap() = default;
 
 VoxelMap::VoxelMap(const VoxelMap& o)
-    : m_resolution(o.m_resolution), m_model(o.m_model), m_pruned(o.m_pruned), m_grid(o.m_grid)
+    : m_resolution(o.m_resolution), m_model(o.m_model), m_grid(o.m_grid)
 {
   if (!m_grid) m_tree = std::make_unique<octomap::OcTree>(*o.m_tree);
 }
@@ -37,7 +37,6 @@ VoxelMap& VoxelMap::operator=(const VoxelMap& o)
 VoxelMap::VoxelMap(VoxelMap&& o) noexcept
     : m_resolution(o.m_resolution),
       m_model(o.m_model),
-      m_pruned(o.m_pruned),
       m_grid(std::move(o.m_grid)),
       m_tree(std::move(o.m_tree))
 {
@@ -47,7 +46,6 @@ VoxelMap& VoxelMap::operator=(VoxelMap&& o) noexcept
 {
   m_resolution = o.m_resolution;
   m_model = o.m_model;
-  m_pruned = o.m_pruned;
   m_grid = std::move(o.m_grid);
   m_tree = std::move(o.m_tree);
   return *this;
@@ -66,7 +64,7 @@ const octomap::OcTree& VoxelMap::octree() const
   const std::lock_guard<std::mutex> lock(m_making);
   if (!m_tree)
   {
-    auto tree = toOcTree(*m_grid, m_pruned);
+    auto tree = toOcTree(*m_grid, m_model.pruning);
     m_model.applyTo(*tree);
     m_tree = std::move(tree);
   }
@@ -75,13 +73,13 @@ const octomap::OcTree& VoxelMap::octree() const
 
 std::string VoxelMap::fullOctree() const
 {
-  return m_grid ? voxel::fullOctree(*m_grid, m_pruned) : voxel::fullOctree(*m_tree);
+  return m_grid ? voxel::fullOctree(*m_grid, m_model.pruning) : voxel::fullOctree(*m_tree);
 }
 
 void VoxelMap::writeOctreeFile(const std::string& path) const
 {
   if (m_grid)
-    voxel::writeOctreeFile(path, *m_grid, m_pruned);
+    voxel::writeOctreeFile(path, *m_grid, m_model.pruning);
   else
     voxel::writeOctreeFile(path, *m_tree);
 }
@@ -148,7 +146,6 @@ ColumnSet VoxelMap::insertScan(const observation::SensorPoints& scan,
                      ? insertBeams(asGrid(options), beams, options, threads)
                      : insertBeams(asOctree(), beams, options);
   m_model = options;
-  m_pruned = options.pruning;
   return changed;
 }
 

@@ -52,8 +52,8 @@ class VoxelMap
   /** Writes octree() as a `.bt` file, see writeOctreeFile(). */
   void writeOctreeFile(const std::string& path) const;
 
-  /** The sensor model of the last insertion, or that which came with an octree; only the five
-   * probabilities count. */
+  /** The options of the last insertion, or the sensor model that came with an octree: their five
+   * probabilities count, and `pruning` for the octree that is made of a grid. */
   const TVoxelInsertionOptions& model() const { return m_model; }
   /** Sets it, and with it from which probability on voxels are occupied. */
   void setModel(const TVoxelInsertionOptions& model);
