@@ -1,101 +1,18 @@
 #include "BeamMask.h"
 
-#include <mrpt_mapconv/voxel/RayWalk.h>
-
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <mutex>
 #include <utility>
 #include <vector>
 
 #include "../grid/Parallel.h"
-#include "../grid/Wide.h"
+#include "BeamCrossings.h"
+#include "BrickUpdate.h"
 
 namespace mrpt_mapconv::voxel
 {
 namespace
 {
-using Column = std::array<float, kBrickSide>;
-
-/** What a column's update did to its voxels, a bit each. */
-struct ColumnChange
-{
-  bool state = false;  //!< some voxel became known, or changed between free and occupied
-  bool value = false;  //!< some log-odds changed
-};
-
-constexpr std::array<std::int32_t, kBrickSide> kBits = []
-{
-  std::array<std::int32_t, kBrickSide> bits{};
-  for (std::size_t i = 0; i < bits.size(); ++i) bits[i] = 1 << i;
-  return bits;
-}();
-
-/** Updates those voxels of a column that have a bit in `touched`: a hit where one is in `hits`,
- * else a miss. As OctoMap, which leaves a known voxel that is at its bound, or beyond, as it is. */
-inline ColumnChange updateColumn(float* column, std::int32_t touched, std::int32_t hits,
-                                 const OccupancyModel& model)
-{
-  const float hit = model.hit, miss = model.miss, low = model.range.min, high = model.range.max,
-              occupiedFrom = model.occupiedFrom;
-  std::int32_t stateChanged = 0, valueChanged = 0;
-  for (std::size_t i = 0; i < kBrickSide; ++i)  // without branches, such that it is vectorised
-  {
-    const float before = column[i];
-    std::int32_t bits;
-    std::memcpy(&bits, &before, sizeof(bits));
-    const float change = (hits & kBits[i]) != 0 ? hit : miss;
-    const float sum = before + change;
-    const float above = sum < low ? low : sum;
-    const float clamped = above > high ? high : above;
-    const std::int32_t isNew = bits == kUntouchedBits ? -1 : 0;
-    const std::int32_t atTop = (change >= 0 ? -1 : 0) & (before >= high ? -1 : 0);
-    const std::int32_t atBottom = (change <= 0 ? -1 : 0) & (before <= low ? -1 : 0);
-    const std::int32_t isTouchedNow = (touched & kBits[i]) != 0 ? -1 : 0;
-    const std::int32_t updates = isTouchedNow & (isNew | ~(atTop | atBottom));
-    const float after = updates != 0 ? clamped : before;
-    const std::int32_t flips = (before >= occupiedFrom ? -1 : 0) ^ (after >= occupiedFrom ? -1 : 0);
-    stateChanged |= updates & (isNew | flips);
-    valueChanged |= updates;
-    column[i] = after;
-  }
-  return {stateChanged != 0, valueChanged != 0};
-}
-
-/** Whether a miss changes a voxel. */
-bool changesByMiss(float logOdds, const OccupancyModel& model)
-{
-  if (!isTouched(logOdds)) return true;
-  Column column;
-  column.fill(logOdds);
-  updateColumn(column.data(), 1, 0, model);
-  return column[0] != logOdds;
-}
-
-/** What a brick's update did: bit x of row y is that column. */
-struct BrickChange
-{
-  std::array<std::uint16_t, kBrickSide> rows{};
-  bool value = false;
-};
-
-/** \param crossed, hit bits of the voxels of each column */
-MRPT_MAPCONV_WIDE
-void updateBrick(float* column, const std::uint16_t* crossed, const std::uint16_t* hit,
-                 const OccupancyModel& model, BrickChange& changed)
-{
-  for (std::size_t c = 0; c < kBrickColumns; ++c, column += kBrickSide)
-  {
-    const std::int32_t hits = hit[c], touched = crossed[c] | hits;
-    if (!touched) continue;
-    const auto change = updateColumn(column, touched, hits, model);
-    changed.value |= change.value;
-    if (change.state)
-      changed.rows[c & (kBrickSide - 1)] |= static_cast<std::uint16_t>(1u << (c >> kBrickBits));
-  }
-}
-
 /** Adds the columns of rows of a brick. */
 void insertRows(const std::array<std::uint16_t, kBrickSide>& rows, const VoxelKey& origin,
                 ColumnSet& columns)
@@ -108,83 +25,6 @@ void insertRows(const std::array<std::uint16_t, kBrickSide>& rows, const VoxelKe
   columns.insert(BlockKey{origin.x >> 5, origin.y >> 5}, mask);
 }
 
-/** How far along a beam it crosses the voxels' faces [m], axis by axis. */
-class BeamCrossings
-{
- public:
-  BeamCrossings(const OctomapKeys& keys, const octomap::point3d& origin,
-                const octomap::point3d& end, const VoxelKey& from)
-  {
-    octomap::point3d direction = end - origin;
-    m_length = static_cast<float>(direction.norm());
-    direction /= m_length;
-    const std::array<std::int32_t, 3> start{from.x, from.y, from.z};
-    for (unsigned i = 0; i < 3; ++i)
-    {
-      negative[i] = direction(i) < 0;
-      if (!(direction(i) > 0) && !negative[i]) continue;
-      double border = keys.centre(start[i]);
-      border += static_cast<float>((negative[i] ? -1 : 1) * keys.resolution() * 0.5);
-      m_next[i] = (border - origin(i)) / direction(i);
-      m_delta[i] = keys.resolution() / std::fabs(direction(i));
-    }
-  }
-
-  /** Takes the steps of a cursor for its own. */
-  void follow(const BrickCursor& cursor)
-  {
-    for (int i = 0; i < 3; ++i) m_move[static_cast<std::size_t>(i)] = cursor.step(i);
-  }
-
-  /** Marks the voxels from `at` on.
-   * \return where it left the brick; a position inside if the beam ends there, at `stop` or since
-   * the next face is farther than its end */
-  BrickCursor::Position mark(std::uint16_t* crossed, BrickCursor::Position at,
-                             BrickCursor::Position stop)
-  {
-    double nextX = m_next[0], nextY = m_next[1], nextZ = m_next[2];
-    double farthest = m_farthest;
-    do
-    {
-      if (at == stop) return at;
-      const std::size_t index = BrickCursor::indexIn(at);
-      const auto bit = static_cast<std::uint16_t>(1u << (index & (kBrickSide - 1)));
-      std::uint16_t& column = crossed[index >> kBrickBits];
-      if (nextX < nextY && nextX < nextZ)
-      {
-        if (nextX > farthest) return at;
-        nextX += m_delta[0];
-        at += m_move[0];
-      }
-      else if (nextY < nextZ && !(nextX < nextY))
-      {
-        if (nextY > farthest) return at;
-        nextY += m_delta[1];
-        at += m_move[1];
-      }
-      else
-      {
-        if (nextZ > farthest) return at;
-        nextZ += m_delta[2];
-        at += m_move[2];
-      }
-      column |= bit;
-      farthest = m_length;
-    } while (!BrickCursor::isOutside(at));
-    m_next = {nextX, nextY, nextZ};
-    m_farthest = farthest;
-    return at;
-  }
-
-  std::array<bool, 3> negative{};
-
- private:
-  static constexpr double kNever = std::numeric_limits<double>::max();
-  std::array<double, 3> m_next{kNever, kNever, kNever}, m_delta{kNever, kNever, kNever};
-  std::array<BrickCursor::Position, 3> m_move{};
-  double m_farthest = kNever;  // the first voxel counts, however near its face
-  float m_length = 0;
-};
 }  // namespace
 
 BeamMask::BeamMask(const ScanBeams& beams, MemoryBudget& budget, int threads)
@@ -246,13 +86,13 @@ BeamMask::Table::Region& BeamMask::region(const VoxelKey& key)
                    { region = &m_table.obtain(unknown); });
 }
 
-BeamMask::Bits& BeamMask::bitsOf(Table::Region& region, std::size_t brick)
+BrickBits& BeamMask::bitsOf(Table::Region& region, std::size_t brick)
 {
   auto& bits = region[brick];
   if (!bits)
   {
-    m_budget->take(sizeof(Bits));
-    bits = std::make_unique<Bits>();
+    m_budget->take(sizeof(BrickBits));
+    bits = std::make_unique<BrickBits>();
   }
   return *bits;
 }
@@ -264,8 +104,6 @@ void BeamMask::hit(const VoxelKey& voxel)
       static_cast<std::uint16_t>(1u << (index & (kBrickSide - 1)));
 }
 
-/** The voxels of octomap::OcTree::computeRayKeys(), by its arithmetic: its order of comparisons and
- * its sums, of which the rounding errors decide which voxels they are. */
 void BeamMask::cross(const octomap::point3d& origin, const ScanBeams::Beam& beam,
                      const VoxelKey& from)
 {
@@ -331,8 +169,7 @@ void BeamMask::update(const Update& update, const OccupancyModel& model, ColumnS
   const bool noHit = std::all_of(bits->hit.begin(), bits->hit.end(), [](auto b) { return b == 0; });
   if (noHit && !slot->brick && !changesByMiss(slot->value, model)) return;
   BrickChange change;
-  updateBrick(slot->expanded().logOdds.data(), bits->crossed.data(), bits->hit.data(), model,
-              change);
+  updateBrick(slot->expanded(), *bits, model, change);
   if (change.value) slot->collapse();
   insertRows(change.rows, origin, changed);
 }

@@ -3,14 +3,13 @@
 #include <mrpt_mapconv/voxel/ColumnSet.h>
 #include <mrpt_mapconv/voxel/VoxelGrid.h>
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
 
+#include "BrickUpdate.h"
 #include "KnownRegions.h"
 #include "MemoryLimit.h"
-#include "OccupancyModel.h"
 #include "ScanBeams.h"
 
 namespace mrpt_mapconv::voxel
@@ -34,22 +33,18 @@ class BeamMask
   ColumnSet update(VoxelGrid& grid, const OccupancyModel& model, int threads) const;
 
  private:
-  struct alignas(64) Bits
-  {
-    std::array<std::uint16_t, kBrickColumns> crossed{}, hit{};
-  };
-  using Table = RegionTable<std::unique_ptr<Bits>>;
+  using Table = RegionTable<std::unique_ptr<BrickBits>>;
   /** A brick that has a bit, and where it belongs in a grid. */
   struct Update
   {
-    const Bits* bits;
+    const BrickBits* bits;
     VoxelKey origin;
     VoxelGrid::Slot* slot;
   };
 
   BeamMask(const OctomapKeys& keys, MemoryBudget& budget) : m_keys(keys), m_budget(&budget) {}
   Table::Region& region(const VoxelKey& key);
-  Bits& bitsOf(Table::Region& region, std::size_t brick);
+  BrickBits& bitsOf(Table::Region& region, std::size_t brick);
   void hit(const VoxelKey& voxel);
   void cross(const octomap::point3d& origin, const ScanBeams::Beam& beam, const VoxelKey& from);
   void addShare(const ScanBeams& beams, std::size_t share, std::size_t shares);

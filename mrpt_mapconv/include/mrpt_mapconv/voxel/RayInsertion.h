@@ -42,7 +42,7 @@ struct RayParams
   static void visit(S& p, V&& v)
   {
     v("probHit", p.probHit, "", "probability that stands for a hit, 0.5 to 1");
-    v("probMiss", p.probMiss, "", "probability that stands for a miss, 0 to 0.5");
+    v("probMiss", p.probMiss, "", "probability that stands for a miss, below 0.5");
     v("minLogOdds", p.minLogOdds, "", "lowest log-odds of a voxel");
     v("maxLogOdds", p.maxLogOdds, "", "highest log-odds of a voxel");
     v("maxRange", p.maxRange, "m", "longest part of a ray that is inserted; -1 = all of it");
