@@ -66,13 +66,13 @@ void requireMemoryFor(const VoxelGrid& grid, const std::vector<GridRay>& rays,
   requireMemory(grid, counter.bytes(), maxMemory);
 }
 
-/** Several slabs for each thread, such that more of what a slab's rays change stays in its cache:
+/** More slabs than threads, such that more of what a slab's rays change stays in its cache:
  * unrelated rays go in 1.7 times as fast. */
 int slabCount(std::size_t rays, std::size_t threads)
 {
-  constexpr std::size_t kSlabs = 4;
-  constexpr std::size_t kFewRays = 256;
-  return static_cast<int>(std::min(kSlabs * threads, rays / kFewRays + 1));
+  constexpr std::size_t kSlabs = 4, kFewRays = 256;
+  return static_cast<int>(
+      std::min(std::max<std::size_t>(kSlabs / threads, 1) * threads, rays / kFewRays + 1));
 }
 }  // namespace
 

@@ -253,10 +253,20 @@ inline bool isShort(const GridRay& ray)
                      });
 }
 
+/** Whether a ray has a voxel in a slab; much faster than to find out by walking. */
+inline bool reaches(const GridRay& ray, const Slab& slab)
+{
+  const auto axis = static_cast<std::size_t>(slab.axis);
+  const std::int64_t from = ray.from[axis] >> kRayBits, to = ray.to[axis] >> kRayBits;
+  return std::min(from, to) < slab.end && std::max(from, to) >= slab.begin;
+}
+
+/** walkRayAs() with times as wide as the ray needs them. */
 template <class Visitor>
 void walkRay(const GridRay& ray, const Slab& slab, Visitor& visitor)
 {
   __extension__ using Wide = __int128;
+  if (!reaches(ray, slab)) return;
   if (isShort(ray))
     walkRayAs<std::int64_t>(ray, slab, visitor);
   else
