@@ -111,7 +111,7 @@ RayParams anyParams(RandomRays& random)
   RayParams params;
   if (random.between(0, 1)) return params;
   params.probHit = share(0.5, 0.99);
-  params.probMiss = share(0.05, 0.5);
+  params.probMiss = share(0.05, 0.49);
   params.minLogOdds = share(-4, 0);
   params.maxLogOdds = share(0.1, 4);
   // such that no cut comes to lie halfway between two units

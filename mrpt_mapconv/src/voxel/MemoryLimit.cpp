@@ -26,7 +26,8 @@ void requireMemory(const VoxelGrid& grid, std::size_t more,
   if (more <= limit && now <= limit - more) return;
   const auto inMegabytes = [](std::size_t bytes) { return static_cast<double>(bytes) / kMegabyte; };
   throw std::runtime_error(mrpt::format(
-      "the voxel map of %.1f MB would need %.1f MB more than it has, which exceeds maxMemory = "
+      "the voxel map of %.1f MB would need at least %.1f MB more than it has, which exceeds "
+      "maxMemory = "
       "%.0f MB%s; larger voxels, a smaller maximum range or a larger maxMemory would do",
       inMegabytes(now), inMegabytes(more), inMegabytes(limit), maxMemory ? "" : " (auto)"));
 }

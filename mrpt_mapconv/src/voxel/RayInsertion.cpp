@@ -51,19 +51,16 @@ double mostBytes(const std::vector<GridRay>& rays)
   return bricks * static_cast<double>(sizeof(VoxelGrid::Brick) + VoxelGrid::Table::bytesOfRegion());
 }
 
-void requireMemoryFor(const VoxelGrid& grid, const std::vector<GridRay>& rays,
+void requireMemoryFor(const VoxelGrid& grid, const SnappedRays& snapped, const RayModel& model,
                       const std::optional<std::int32_t>& maxMemory)
 {
-  if (rays.empty()) return;
-  const std::size_t limit = memoryLimit(maxMemory);
-  if (static_cast<double>(grid.heapBytes()) + mostBytes(rays) <= static_cast<double>(limit)) return;
-  RayMemory counter(grid.table());
-  for (const auto& ray : rays)
-  {
-    walkRay(ray, {}, counter);
-    if (counter.bytes() > limit) break;  // more would be known, but not in time
-  }
-  requireMemory(grid, counter.bytes(), maxMemory);
+  if (snapped.rays.empty()) return;
+  const auto limit = static_cast<double>(memoryLimit(maxMemory));
+  if (static_cast<double>(grid.heapBytes()) + mostBytes(snapped.rays) <= limit) return;
+  RayMemory memory(grid, model, maxMemory);
+  for (std::size_t r = 0; r < snapped.rays.size(); ++r)
+    memory.count(snapped.rays[r], snapped.ends[r]);
+  memory.require();
 }
 
 /** More slabs than threads, such that more of what a slab's rays change stays in its cache:
@@ -81,8 +78,8 @@ InsertedRays insertRays(VoxelGrid& grid, const std::vector<Ray>& rays, const Ray
 {
   params.check();
   auto snapped = snapRays(rays, grid.resolution(), params.maxRange);
-  requireMemoryFor(grid, snapped.rays, params.maxMemory);
   const RayModel model(params);
+  requireMemoryFor(grid, snapped, model, params.maxMemory);
   const auto slabs =
       slabsFor(snapped.rays, slabCount(snapped.rays.size(), grid::threadCount(threads)));
   std::mutex access;

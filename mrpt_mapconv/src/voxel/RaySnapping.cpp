@@ -26,7 +26,7 @@ class Snapper
     if (m_maxRange > 0)
     {
       const auto beam = ray.end - ray.origin;
-      const double length = beam.norm();
+      const double length = lengthOf(beam);
       if (length > m_maxRange)
       {
         end = ray.origin + beam * (m_maxRange / length);
@@ -45,6 +45,11 @@ class Snapper
   static bool isFinite(const mrpt::math::TPoint3D& p)
   {
     return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
+  }
+  static double lengthOf(const mrpt::math::TPoint3D& beam)
+  {
+    const double length = beam.norm();
+    return std::isfinite(length) ? length : std::hypot(beam.x, beam.y, beam.z);
   }
   std::int64_t unitsOf(double metres) const
   {

@@ -8,9 +8,11 @@
 #include <cmath>
 #include <cstddef>
 #include <mutex>
+#include <optional>
 
 #include "Clamping.h"
 #include "KnownRegions.h"
+#include "MemoryLimit.h"
 
 namespace mrpt_mapconv::voxel
 {
@@ -31,6 +33,11 @@ struct RayModel
   }
   float afterMiss(float logOdds) const { return range.clamp(logOdds + miss); }
   float afterHit(float logOdds) const { return range.clamp(logOdds + hit); }
+  /** Whether all of a brick is as free as can be, so that misses need not write to it. */
+  bool isFreest(const VoxelGrid::Slot& slot) const
+  {
+    return !slot.brick && isTouched(slot.value) && afterMiss(slot.value) == slot.value;
+  }
 
   float hit, miss;
   ClampingRange range;
@@ -71,10 +78,7 @@ class RayUpdater
   {
     VoxelGrid::Slot& slot = (*region.slots)[index];
     region.touched[index] = true;
-    if (slot.brick) return {slot.brick->logOdds.data(), &slot};
-    // a brick that is as free as can be is not changed by misses
-    if (isTouched(slot.value) && m_model.afterMiss(slot.value) == slot.value)
-      return {m_nowhere.logOdds.data(), &slot};
+    if (m_model.isFreest(slot)) return {m_nowhere.logOdds.data(), &slot};
     return {slot.expanded().logOdds.data(), &slot};
   }
   void cross(const Brick& brick, std::size_t index)
@@ -127,19 +131,28 @@ class RayUpdater
   RayEnd m_atEnd = RayEnd::Keep;
 };
 
-/** A visitor of rays that counts the memory that a grid lacks for them, at most. */
+/** A visitor of rays that counts the memory that a grid lacks for them. */
 class RayMemory
 {
  public:
-  explicit RayMemory(const VoxelGrid::Table& table) : m_table(table) {}
+  RayMemory(const VoxelGrid& grid, const RayModel& model,
+            const std::optional<std::int32_t>& maxMemory)
+      : m_grid(grid),
+        m_model(model),
+        m_maxMemory(maxMemory),
+        m_most(memoryLimit(maxMemory) + kBeyond)
+  {
+  }
 
   struct Region
   {
     const VoxelGrid::Table::Region* slots = nullptr;
-    std::array<bool, kRegionBricks> seen{};
+    std::array<bool, kRegionBricks> counted{};
   };
   struct Brick
   {
+    Region* region;
+    std::size_t index;
   };
 
   Region& region(const VoxelKey& key)
@@ -147,26 +160,55 @@ class RayMemory
     return m_regions(key,
                      [this](const VoxelKey& unknown, Region& region)
                      {
-                       region.slots = m_table.find(unknown);
-                       if (!region.slots) m_bytes += VoxelGrid::Table::bytesOfRegion();
+                       region.slots = m_grid.table().find(unknown);
+                       if (!region.slots) add(VoxelGrid::Table::bytesOfRegion());
                      });
   }
   Brick brick(Region& region, std::size_t index)
   {
-    if (!region.seen[index] && !(region.slots && (*region.slots)[index].brick))
-      m_bytes += sizeof(VoxelGrid::Brick);
-    region.seen[index] = true;
-    return {};
+    const Brick brick{&region, index};
+    if (!region.slots || !m_model.isFreest((*region.slots)[index])) write(brick);
+    return brick;
   }
-  void cross(Brick, std::size_t) {}
-  void end(Brick, std::size_t) {}
+  void cross(const Brick&, std::size_t) {}
+  void end(const Brick& brick, std::size_t)
+  {
+    if (m_atEnd == RayEnd::Hit) write(brick);
+  }
 
-  std::size_t bytes() const { return m_bytes; }
+  /** \exception std::runtime_error as require(), once this is far from fitting */
+  void count(const GridRay& ray, RayEnd atEnd)
+  {
+    m_atEnd = atEnd;
+    walkRay(ray, {}, *this);
+  }
+  /** \exception std::runtime_error if the rays that were counted need more than maxMemory */
+  void require() const { requireMemory(m_grid, m_bytes, m_maxMemory); }
 
  private:
-  const VoxelGrid::Table& m_table;
+  /** How far beyond maxMemory it is counted [bytes], so that the complaint can tell what would do:
+   * rays may go through all keys, which would take minutes and much memory to count. */
+  static constexpr std::size_t kBeyond = 4'000'000'000;
+
+  void write(const Brick& brick)
+  {
+    bool& counted = brick.region->counted[brick.index];
+    if (!counted && !(brick.region->slots && (*brick.region->slots)[brick.index].brick))
+      add(sizeof(VoxelGrid::Brick));
+    counted = true;
+  }
+  void add(std::size_t bytes)
+  {
+    m_bytes += bytes;
+    if (m_bytes > m_most) require();
+  }
+
+  const VoxelGrid& m_grid;
+  const RayModel& m_model;
+  const std::optional<std::int32_t>& m_maxMemory;
+  std::size_t m_most, m_bytes = 0;
   KnownRegions<Region> m_regions;
-  std::size_t m_bytes = 0;
+  RayEnd m_atEnd = RayEnd::Keep;
 };
 
 }  // namespace mrpt_mapconv::voxel
