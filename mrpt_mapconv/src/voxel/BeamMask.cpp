@@ -122,7 +122,9 @@ void BeamMask::cross(const octomap::point3d& origin, const ScanBeams::Beam& beam
         crossings.mark(bitsOf(*region, cursor.brick()).crossed.data(), cursor.position(),
                        isLastBrick ? last : ~BrickCursor::Position{0});
     if (!BrickCursor::isOutside(at)) return;
-    if (cursor.enterNext(at)) region = &this->region(cursor.region());
+    if (!cursor.enterNext(at)) continue;
+    if (!OctomapKeys::holds(cursor.region())) return;  // by a rounding error
+    region = &this->region(cursor.region());
   }
 }
 
@@ -168,9 +170,10 @@ void BeamMask::update(const Update& update, const OccupancyModel& model, ColumnS
   const auto& [bits, origin, slot] = update;
   const bool noHit = std::all_of(bits->hit.begin(), bits->hit.end(), [](auto b) { return b == 0; });
   if (noHit && !slot->brick && !changesByMiss(slot->value, model)) return;
+  const bool wasOneValue = !slot->brick;
   BrickChange change;
   updateBrick(slot->expanded(), *bits, model, change);
-  if (change.value) slot->collapse();
+  if (change.value || wasOneValue) slot->collapse();
   insertRows(change.rows, origin, changed);
 }
 

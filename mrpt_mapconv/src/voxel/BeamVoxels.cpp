@@ -1,6 +1,9 @@
 #include "BeamVoxels.h"
 
 #include <algorithm>
+#include <cstdlib>
+#include <stdexcept>
+#include <string>
 
 #include "MortonCode.h"
 
@@ -16,6 +19,27 @@ octomap::OcTreeKey keyOf(std::uint64_t code)
   const auto key = [code](int axis)
   { return static_cast<octomap::key_type>(gatherBits(code >> axis)); };
   return {key(0), key(1), key(2)};
+}
+/** Whether keys are those of neighbours. Where rounding errors take a beam out of the tree's range,
+ * OctoMap goes on at the other end of it. */
+bool areNeighbours(const octomap::OcTreeKey& a, const octomap::OcTreeKey& b)
+{
+  for (unsigned i = 0; i < 3; ++i)
+    if (std::abs(static_cast<int>(a[i]) - static_cast<int>(b[i])) > 1) return false;
+  return true;
+}
+
+/** computeRayKeys() writes past the end of its list if a beam has more voxels. */
+void requireRoom(const octomap::KeyRay& ray, const VoxelKey& from, const VoxelKey& to)
+{
+  const int steps = std::abs(to.x - from.x) + std::abs(to.y - from.y) + std::abs(to.z - from.z);
+  constexpr int kMore = 8;  // by rounding errors
+  const auto most = static_cast<int>(ray.sizeMax()) - kMore;
+  if (steps < most) return;
+  throw std::runtime_error("a beam goes through " + std::to_string(steps) +
+                           " voxels, but voxelEngine = octomap takes less than " +
+                           std::to_string(most) +
+                           " only; blocks, larger voxels or a smaller maxrange would do");
 }
 }  // namespace
 
@@ -66,8 +90,13 @@ BeamVoxels::BeamVoxels(const octomap::OcTree& tree, const ScanBeams& beams)
   for (const auto* ends : {&beams.hits, &beams.misses})
     for (const auto& beam : *ends)
     {
+      requireRoom(ray, beams.originKey, beam.key);
       if (!tree.computeRayKeys(beams.origin, beam.end, ray)) continue;
-      for (const auto& crossed : ray) add(crossed, m_free);
+      for (auto crossed = ray.begin(); crossed != ray.end(); ++crossed)
+      {
+        if (crossed != ray.begin() && !areNeighbours(*(crossed - 1), *crossed)) break;
+        add(*crossed, m_free);
+      }
     }
   std::sort(m_free.begin(), m_free.end());
   std::sort(m_hit.begin(), m_hit.end());

@@ -27,6 +27,14 @@ class OctomapKeys
   /** The middle of a voxel on one axis. */
   double centre(std::int32_t key) const { return (static_cast<double>(key) + 0.5) * m_resolution; }
 
+  /** Whether the voxels of a region are in a tree's range. */
+  static bool holds(const VoxelKey& region)
+  {
+    constexpr std::int32_t end = kOctomapKeyOffset >> kRegionVoxelBits;
+    const auto isInside = [](std::int32_t key) { return key >= -end && key < end; };
+    return isInside(region.x) && isInside(region.y) && isInside(region.z);
+  }
+
  private:
   static bool isInside(double key) { return key >= -kOctomapKeyOffset && key < kOctomapKeyOffset; }
   /** As std::floor(), which is a call where a processor's own instruction may not be used. */

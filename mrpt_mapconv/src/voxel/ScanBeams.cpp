@@ -53,8 +53,10 @@ ScanBeams::ScanBeams(const OctomapKeys& mapKeys, const observation::SensorPoints
   originKey = *sensor;
   const auto isWhole = [&](const octomap::point3d& end)
   { return maxRange < 0 || (end - origin).norm() <= maxRange; };
-  const auto add = [this](const octomap::point3d& end, std::vector<Beam>& beams)
+  const auto add = [this](octomap::point3d end, std::vector<Beam>& beams)
   {
+    // along a beam whose length is 0 in floats OctoMap walks for ever
+    if ((end - origin).norm_sq() == 0) end = origin;
     if (const auto key = keys.keyOf(end))
       beams.push_back({end, *key});
     else

@@ -145,6 +145,51 @@ TEST(VoxelInsertion, BeamsThatLeaveTheTreeAreLeftOutWithOneWarning)
   EXPECT_EQ(log.texts[0].rfind("2 points left out", 0), 0u) << log.texts[0];
 }
 
+/** In floats the length of such a beam is 0, and OctoMap's walk along it would never end. */
+TEST(VoxelInsertion, APointBeyondAnEdgeThatIsTooNearToTellIsAtTheSensor)
+{
+  const auto seen = scan({{-1e-25f, -1e-25f, 0}}, {0, 0, 0.5, 0, 0, 0});
+  octomap::OcTree tree(1.0);
+  insertScan(tree, seen, {});
+  EXPECT_EQ(stateAt(tree, 0.5, 0.5, 0.5), State::Occupied);
+  EXPECT_EQ(tree.getNumLeafNodes(), 1u);
+  voxel::VoxelGrid grid(1.0);
+  insertScan(grid, seen, {});
+  EXPECT_GT(grid.logOdds({0, 0, 0}), 0);
+  EXPECT_EQ(grid.size(), 1u);
+}
+
+TEST(VoxelInsertion, ABeamThatIsTooLongForOctoMapIsAnErrorAndTheTreeStaysAsItWas)
+{
+  const auto seen = scan({{1, 0, 0}, {400, 401, 402}}, {-300.005, -300.005, -300.005, 0, 0, 0});
+  octomap::OcTree tree(0.01);
+  try
+  {
+    insertScan(tree, seen, {});
+    FAIL() << "inserted";
+  }
+  catch (const std::runtime_error& error)
+  {
+    EXPECT_EQ(std::string(error.what()).rfind("a beam goes through ", 0), 0u) << error.what();
+  }
+  EXPECT_EQ(tree.size(), 0u);
+  voxel::VoxelGrid grid(0.01);
+  insertScan(grid, seen, {});
+  EXPECT_GT(grid.logOdds({9999, 10099, 10199}), 0);
+}
+
+TEST(VoxelInsertion, ABrickWhoseVoxelsStayEqualIsKeptAsOneValue)
+{
+  voxel::VoxelGrid grid(1.0);
+  grid.fillCube({0, 0, 0}, 16, 5);  // above what any hit makes of a voxel
+  const auto bytes = grid.heapBytes();
+  insertScan(grid, scan({{4, 0, 0}}, {4.5, 4.5, 4.5, 0, 0, 0}), {});
+  EXPECT_GT(grid.heapBytes(), bytes);  // misses have changed voxels
+  grid.fillCube({0, 0, 0}, 16, 5);
+  insertScan(grid, scan({{0.1f, 0, 0}}, {4.5, 4.5, 4.5, 0, 0, 0}), {});
+  EXPECT_EQ(grid.heapBytes(), bytes);
+}
+
 TEST(VoxelInsertion, ABadSensorPoseIsAnErrorAndTheTreeStaysAsItWas)
 {
   octomap::OcTree tree(0.01);

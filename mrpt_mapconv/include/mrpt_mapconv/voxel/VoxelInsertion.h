@@ -20,7 +20,8 @@ namespace mrpt_mapconv::voxel
 /** Inserts a scan into an octree by OctoMap, or into a grid as if it were one: free along each
  * beam, occupied at its end if something returned from there, each voxel at most once. The log-odds
  * are, bit for bit, those of octomap::OcTree::insertPointCloud() with beams without return as
- * clearing ones. A map with both engines: VoxelMap.
+ * clearing ones; but a beam ends where rounding errors take it out of the range of ±32768 voxels,
+ * while OctoMap's go on at the other end of it. A map with both engines: VoxelMap.
  *
  * \param scan its points and the pose of the sensor in the map
  * \param warnings told of points that lie outside the range of ±32768 voxels (left out)
