@@ -6,9 +6,12 @@
 #include <random>
 #include <sstream>
 
-// insertScan() against OctoMap's own insertPointCloud(): the same voxels, bit by bit, in an octree and
-// in a grid.
+#include "oracle/BeamOracle.h"
 
+// insertScan() against OctoMap's own insertPointCloud(): the same voxels, bit by bit, in an octree
+// and in a grid.
+
+using namespace mrpt_mapconv;
 using namespace mrpt_mapconv::voxel;
 using namespace mrpt_mapconv::observation;
 
@@ -33,24 +36,6 @@ SensorPoints randomScan(std::mt19937& random, const mrpt::poses::CPose3D& middle
   return scan;
 }
 
-void insertAsOctomapDoes(octomap::OcTree& tree, const SensorPoints& scan,
-                         const TVoxelInsertionOptions& options)
-{
-  octomap::Pointcloud cloud;
-  for (const auto& point : scan.points)
-  {
-    double x = 0, y = 0, z = 0;
-    scan.sensorPose.composePoint(point.x, point.y, point.z, x, y, z);
-    cloud.push_back(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z));
-  }
-  const octomap::point3d origin(static_cast<float>(scan.sensorPose.x()),
-                                static_cast<float>(scan.sensorPose.y()),
-                                static_cast<float>(scan.sensorPose.z()));
-  options.applyTo(tree);
-  tree.insertPointCloud(cloud, origin, options.maxrange, !options.pruning);
-  if (!options.pruning) tree.updateInnerOccupancy();
-}
-
 std::string bytesOf(const octomap::OcTree& tree)
 {
   std::ostringstream bytes;
@@ -70,7 +55,7 @@ void expectSameTrees(const TVoxelInsertionOptions& options, const mrpt::poses::C
       const auto scan = randomScan(random, middle);
       insertScan(tree, scan, options);
       insertScan(grid, scan, options);
-      insertAsOctomapDoes(twin, scan, options);
+      oracle::insertScan(twin, scan, options);
     }
     EXPECT_GT(twin.size(), 10000u);
     EXPECT_TRUE(bytesOf(tree) == bytesOf(twin)) << "seed " << seed;
@@ -113,24 +98,7 @@ TEST(InsertedVoxels, AreThoseOfTheSlowTwinWithBeamsWithoutReturn)
     VoxelGrid grid(0.1);
     insertScan(grid, scan, {});
 
-    const auto inMap = [&scan](const mrpt::math::TPoint3Df& point)
-    {
-      double x = 0, y = 0, z = 0;
-      scan.sensorPose.composePoint(point.x, point.y, point.z, x, y, z);
-      return octomap::point3d(static_cast<float>(x), static_cast<float>(y), static_cast<float>(z));
-    };
-    octomap::KeySet hits, crossed;
-    octomap::KeyRay ray;
-    for (const auto& point : scan.points) hits.insert(twin.coordToKey(inMap(point)));
-    for (const auto* ends : {&scan.points, &scan.noReturns})
-      for (const auto& end : *ends)
-      {
-        ASSERT_TRUE(twin.computeRayKeys(inMap({0, 0, 0}), inMap(end), ray));
-        crossed.insert(ray.begin(), ray.end());
-      }
-    for (const auto& key : crossed)
-      if (hits.count(key) == 0) twin.updateNode(key, false);
-    for (const auto& key : hits) twin.updateNode(key, true);
+    oracle::insertScan(twin, scan, {});
     EXPECT_TRUE(bytesOf(tree) == bytesOf(twin)) << "seed " << seed;
     EXPECT_TRUE(fullOctree(grid) == fullOctree(twin)) << "seed " << seed;
   }
