@@ -99,6 +99,16 @@ catch (const std::runtime_error& e)
   throw std::runtime_error(name + ": " + e.what());
 }
 
+VoxelGrid emptyGrid(double resolution)
+try
+{
+  return VoxelGrid(resolution);
+}
+catch (const std::invalid_argument& e)
+{
+  throw std::runtime_error(e.what());
+}
+
 /** The bytes of a file, but no more than a node that its header promises can need: a few packed
  * bytes can become any number. */
 std::string readBytes(files::InputStream& stream)
@@ -163,12 +173,14 @@ VoxelGrid readVoxelGrid(std::string_view bytes, const std::string& name,
                 [&]
                 {
                   const OctreeHeader header = parseOctreeHeader(bytes);
-                  if (header.binary || header.id != "OcTree")
+                  if (header.binary)
+                    throw std::runtime_error("is a binary octree (.bt) where a full one belongs");
+                  if (header.id != "OcTree")
                     throw std::runtime_error("holds a " + params::printable(header.id, 40) +
                                              " where an OcTree belongs");
                   const std::string_view data = bytes.substr(header.length);
                   checkNodes(header, data, 0);
-                  VoxelGrid grid(header.resolution);
+                  VoxelGrid grid = emptyGrid(header.resolution);
                   if (header.nodes > 0) addFullNodes(data, maxMemory, grid);
                   return grid;
                 });

@@ -34,20 +34,14 @@ VoxelMap& VoxelMap::operator=(const VoxelMap& o)
   return *this;
 }
 
-VoxelMap::VoxelMap(VoxelMap&& o) noexcept
-    : m_resolution(o.m_resolution),
-      m_model(o.m_model),
-      m_grid(std::move(o.m_grid)),
-      m_tree(std::move(o.m_tree))
-{
-}
+VoxelMap::VoxelMap(VoxelMap&& o) noexcept : VoxelMap(o.m_resolution) { *this = std::move(o); }
 
 VoxelMap& VoxelMap::operator=(VoxelMap&& o) noexcept
 {
-  m_resolution = o.m_resolution;
-  m_model = o.m_model;
-  m_grid = std::move(o.m_grid);
-  m_tree = std::move(o.m_tree);
+  std::swap(m_resolution, o.m_resolution);
+  std::swap(m_model, o.m_model);
+  std::swap(m_grid, o.m_grid);
+  std::swap(m_tree, o.m_tree);
   return *this;
 }
 
@@ -87,8 +81,9 @@ void VoxelMap::writeOctreeFile(const std::string& path) const
 void VoxelMap::setModel(const TVoxelInsertionOptions& model)
 {
   m_model = model;
-  if (m_grid) m_grid->setOccupiedFrom(OccupancyModel(model).occupiedFrom);
-  if (m_tree) model.applyTo(*m_tree);
+  if (!m_grid) return model.applyTo(*m_tree);
+  m_grid->setOccupiedFrom(OccupancyModel(model).occupiedFrom);
+  m_tree.reset();
 }
 
 void VoxelMap::setOctree(std::unique_ptr<octomap::OcTree> tree)
@@ -119,19 +114,25 @@ void VoxelMap::clear()
   m_grid->setOccupiedFrom(OccupancyModel(m_model).occupiedFrom);
 }
 
-/** What scans of this engine go into; the other form is given up. */
-VoxelGrid& VoxelMap::asGrid(const TVoxelInsertionOptions& options)
+// Until beams are inserted, which can fail, the map stays in the form in which it is.
+
+ColumnSet VoxelMap::insertIntoGrid(const ScanBeams& beams, const TVoxelInsertionOptions& options,
+                                   int threads)
 {
-  if (!m_grid) m_grid = toVoxelGrid(*m_tree, options.maxMemory);
+  std::optional<VoxelGrid> made;
+  if (!m_grid) made = toVoxelGrid(*m_tree, options.maxMemory);
+  auto changed = insertBeams(made ? *made : *m_grid, beams, options, threads);
+  if (made) m_grid = std::move(made);
   m_tree.reset();
-  return *m_grid;
+  return changed;
 }
 
-octomap::OcTree& VoxelMap::asOctree()
+ColumnSet VoxelMap::insertIntoOctree(const ScanBeams& beams, const TVoxelInsertionOptions& options)
 {
   octree();
+  auto changed = insertBeams(*m_tree, beams, options);
   m_grid.reset();
-  return *m_tree;
+  return changed;
 }
 
 ColumnSet VoxelMap::insertScan(const observation::SensorPoints& scan,
@@ -143,8 +144,8 @@ ColumnSet VoxelMap::insertScan(const observation::SensorPoints& scan,
   const ScanBeams beams = beamsOf(m_resolution, scan, options, warnings);
   if (check) check(beams.frame());
   auto changed = options.voxelEngine == VoxelEngine::Blocks
-                     ? insertBeams(asGrid(options), beams, options, threads)
-                     : insertBeams(asOctree(), beams, options);
+                     ? insertIntoGrid(beams, options, threads)
+                     : insertIntoOctree(beams, options);
   m_model = options;
   return changed;
 }

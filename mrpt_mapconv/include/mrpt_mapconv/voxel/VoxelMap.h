@@ -19,6 +19,8 @@ class OcTree;
 
 namespace mrpt_mapconv::voxel
 {
+struct ScanBeams;
+
 /** A voxel map that scans are inserted into: bricks (VoxelGrid) or an octree, as
  * TVoxelInsertionOptions::voxelEngine says. Each is made of the other when it is needed; both hold
  * the same voxels.
@@ -52,10 +54,11 @@ class VoxelMap
   /** Writes octree() as a `.bt` file, see writeOctreeFile(). */
   void writeOctreeFile(const std::string& path) const;
 
-  /** The options of the last insertion, or the sensor model that came with an octree: their five
-   * probabilities count, and `pruning` for the octree that is made of a grid. */
+  /** The sensor model of the last insertion, or that which came with an octree; the five
+   * probabilities count, and whether octree() is pruned. */
   const TVoxelInsertionOptions& model() const { return m_model; }
-  /** Sets it, and with it from which probability on voxels are occupied. */
+  /** Sets it, and with it from which probability on voxels are occupied; a map that came as an
+   * octree stays pruned, or not, as it is. */
   void setModel(const TVoxelInsertionOptions& model);
 
   /** Replaces the map, its resolution, and its model by a tree's. */
@@ -82,12 +85,12 @@ class VoxelMap
                        int threads = 0);
 
  private:
-  VoxelGrid& asGrid(const TVoxelInsertionOptions& options);
-  octomap::OcTree& asOctree();
+  ColumnSet insertIntoGrid(const ScanBeams& beams, const TVoxelInsertionOptions& options,
+                           int threads);
+  ColumnSet insertIntoOctree(const ScanBeams& beams, const TVoxelInsertionOptions& options);
 
   double m_resolution;
   TVoxelInsertionOptions m_model;
-  bool m_pruned = true;                             //!< whether the octree of the grid is
   std::optional<VoxelGrid> m_grid;                  //!< if it is there, it is what counts
   mutable std::unique_ptr<octomap::OcTree> m_tree;  //!< what counts, or made of the grid
   mutable std::mutex m_making;                      //!< m_tree
