@@ -160,6 +160,14 @@ voxel::TVoxelInsertionOptions randomInsertion(Rng& rng, double resolution)
   }
 }
 
+voxel::TVoxelInsertionOptions finiteInsertion(Rng& rng, double resolution)
+{
+  auto options = randomInsertion(rng, resolution);
+  while (options.clampingThresMin == 0 || options.clampingThresMax == 1)
+    options = randomInsertion(rng, resolution);
+  return options;
+}
+
 void addCubes(Rng& rng, const voxel::VoxelKey& around, octomap::OcTree& tree)
 {
   static constexpr float kLogOdds[] = {-10, -2.1f, -2, -0.4f, 0, 0.85f, 3.5f, 3.6f, 10};

@@ -41,6 +41,8 @@ class RandomBeams
 /** Options that check() allows: often the default sensor model, else one of values that include the
  * extreme ones; some with a maximum range of a few voxels. */
 voxel::TVoxelInsertionOptions randomInsertion(Rng& rng, double resolution);
+/** The same without those with which log-odds can be infinite: files hold no such. */
+voxel::TVoxelInsertionOptions finiteInsertion(Rng& rng, double resolution);
 
 /** Adds cubes of 1 to 32 voxels to a side around a voxel, some with log-odds that no sensor model
  * would give. */

@@ -73,19 +73,12 @@ class Twins
   }
 
  private:
-  /** Log-odds without end cannot be stored. */
   TVoxelInsertionOptions options()
   {
-    while (true)
-    {
-      auto options = randomInsertion(m_rng, m_beams.resolution());
-      if (options.probHit == 1 || options.probMiss == 0 || options.clampingThresMin == 0 ||
-          options.clampingThresMax == 1)
-        continue;
-      options.voxelEngine =
-          chance(m_rng, 50) ? voxel::VoxelEngine::Octomap : voxel::VoxelEngine::Blocks;
-      return options;
-    }
+    auto options = finiteInsertion(m_rng, m_beams.resolution());
+    options.voxelEngine =
+        chance(m_rng, 50) ? voxel::VoxelEngine::Octomap : voxel::VoxelEngine::Blocks;
+    return options;
   }
   void insert()
   {
