@@ -1,7 +1,9 @@
 // The library against its brute-force twin, on random maps and on a real one.
 #include <gtest/gtest.h>
 #include <mrpt_mapconv/freespace/Conversion.h>
+#include <mrpt_mapconv/voxel/OcTreeCopy.h>
 #include <mrpt_mapconv/voxel/OctreeSource.h>
+#include <mrpt_mapconv/voxel/VoxelGridSource.h>
 #include <octomap/ColorOcTree.h>
 #include <octomap/OcTreeStamped.h>
 #include <octomap/octomap.h>
@@ -92,6 +94,8 @@ TYPED_TEST(Conversion, AgreesWithTheOracleOnRandomMaps)
     TypeParam tree(res);
     randomTree(rng, shape, tree);
     const voxel::OctreeSource<TypeParam> source(tree);
+    const voxel::VoxelGrid grid = voxel::toVoxelGrid(tree);
+    const voxel::VoxelGridSource gridSource(grid);
     const oracle::DenseMap map = oracle::denseMap(tree);
 
     for (int i = 0; i < 3; ++i)
@@ -104,6 +108,7 @@ TYPED_TEST(Conversion, AgreesWithTheOracleOnRandomMaps)
       EXPECT_TRUE(agreesWithOracle(layers, map, expected));
       EXPECT_TRUE(countsAgree(freespace::statistics(layers), expected));
       EXPECT_TRUE(sameBits(layers, freespace::convert(source, params, 2)));
+      EXPECT_TRUE(sameBits(layers, freespace::convert(gridSource, params, 2)));
     }
   }
 }

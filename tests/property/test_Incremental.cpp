@@ -1,7 +1,9 @@
 // Layers that follow a changing map against converting the whole map anew.
 #include <gtest/gtest.h>
 #include <mrpt_mapconv/freespace/Conversion.h>
+#include <mrpt_mapconv/voxel/OcTreeCopy.h>
 #include <mrpt_mapconv/voxel/OctreeSource.h>
+#include <mrpt_mapconv/voxel/VoxelGridSource.h>
 
 #include <algorithm>
 #include <mutex>
@@ -85,10 +87,12 @@ TEST(Incremental, RandomEditsEqualFullConversions)
     MapEditor editor(rng, res, x0, y0, pick(rng, -100, 100));
     const Source source(editor.tree());
     const freespace::ConversionParams params = randomParams(rng, res);
-    freespace::IncrementalLayers one(params, 1), two(params, 2);
+    freespace::IncrementalLayers one(params, 1), two(params, 2), ofBricks(params, 1);
     const voxel::ColumnSet everything = voxel::ColumnSet::of(freespace::frameOf(source));
     one.update(source, everything);
     two.rebuild(source);
+    const voxel::VoxelGrid first = voxel::toVoxelGrid(editor.tree());
+    ofBricks.update(voxel::VoxelGridSource(first), everything);
     expectFollows(one, source);
     expectFollows(two, source);
     for (int step = 1; step <= 30 && !HasFailure(); ++step)
@@ -106,6 +110,9 @@ TEST(Incremental, RandomEditsEqualFullConversions)
       expectFollows(one, source);
       two.update(source, changed);
       expectFollows(two, source);
+      const voxel::VoxelGrid bricks = voxel::toVoxelGrid(editor.tree());
+      ofBricks.update(voxel::VoxelGridSource(bricks), changed);
+      EXPECT_TRUE(sameBits(one.layers(), ofBricks.layers()));
     }
   }
 }

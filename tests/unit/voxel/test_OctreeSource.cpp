@@ -12,34 +12,18 @@
 #include <string>
 
 #include "../../oracle/DenseMap.h"
+#include "BlockColumns.h"
 
 namespace
 {
 using namespace mrpt_mapconv;
 using oracle::octomapKey;
 using oracle::Voxel;
+using test::everyColumn;
+using test::stateIn;
 using voxel::ColumnBlock;
 using voxel::ColumnMask;
 using voxel::kBlockSide;
-
-ColumnMask everyColumn()
-{
-  ColumnMask mask;
-  mask.fill(voxel::kFullRow);
-  return mask;
-}
-
-/** State of voxel (x, y) of the block at z key kz, straight from the documented bit planes. */
-Voxel stateIn(const ColumnBlock& block, int x, int y, int kz)
-{
-  const int above = kz - block.zMin();
-  if (above < 0 || above >= 64 * block.words()) return Voxel::Unknown;
-  const int word = above / 64 * voxel::kBlockColumns + y * kBlockSide + x;
-  const bool free = block.freePlane()[word] >> (above % 64) & 1u;
-  const bool occupied = block.occupiedPlane()[word] >> (above % 64) & 1u;
-  EXPECT_FALSE(free && occupied) << "voxel (" << x << ", " << y << ", " << kz << ") is both";
-  return free ? Voxel::Free : occupied ? Voxel::Occupied : Voxel::Unknown;
-}
 
 /** Every voxel of the block's wanted columns, in the block's range of heights and a bit beyond. */
 template <class Tree>
