@@ -130,9 +130,17 @@ ColumnSet VoxelMap::insertIntoGrid(const ScanBeams& beams, const TVoxelInsertion
 ColumnSet VoxelMap::insertIntoOctree(const ScanBeams& beams, const TVoxelInsertionOptions& options)
 {
   octree();
-  auto changed = insertBeams(*m_tree, beams, options);
-  m_grid.reset();
-  return changed;
+  try
+  {
+    auto changed = insertBeams(*m_tree, beams, options);
+    m_grid.reset();
+    return changed;
+  }
+  catch (...)
+  {
+    if (m_grid) m_tree.reset();  // some of it may have changed
+    throw;
+  }
 }
 
 ColumnSet VoxelMap::insertScan(const observation::SensorPoints& scan,
