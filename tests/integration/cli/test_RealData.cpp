@@ -60,6 +60,35 @@ TEST(RealData, standingVelodyne)
   EXPECT_EQ("none", info["poses"].text);
 }
 
+TEST(RealData, bothVoxelEnginesGiveTheSameFiles)
+{
+  const std::string file = kShared + "vlp16_3scans.rawlog";
+  if (!isThere(file)) GTEST_SKIP() << file << " is not there";
+  const TempDir dir;
+  for (const std::string engine : {"octomap", "blocks"})
+  {
+    std::ofstream(dir.path(engine + ".ini"))
+        << "[voxelInsertion]\nvoxelEngine = " << engine << "\n";
+    const auto run = mapconv({"convert", file, "-o", dir.path(engine), "--static", "--resolution",
+                              "0.1", "-c", dir.path(engine + ".ini")});
+    ASSERT_EQ(0, run.status) << run.err;
+  }
+  std::size_t files = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(dir.path("octomap")))
+  {
+    const std::string name = entry.path().filename().string();
+    if (name == "layers.tif") continue;  // its metadata say which engine it was
+    ++files;
+    EXPECT_TRUE(readBytes(entry.path().string()) == readBytes(dir.path("blocks/" + name))) << name;
+  }
+  EXPECT_GT(files, 5u);
+  const Raster octomap = readRaster(dir.path("octomap/layers.tif")),
+               blocks = readRaster(dir.path("blocks/layers.tif"));
+  ASSERT_EQ(octomap.bands.size(), blocks.bands.size());
+  for (std::size_t i = 0; i < blocks.bands.size(); ++i)
+    expectCells(octomap.bands[i].cells, blocks.bands[i].cells, octomap.bands[i].name);
+}
+
 TEST(RealData, mrptsOwnLogs)
 {
   for (const std::string name : {"test_velodyne_VLP16", "tests_rgbd"})
