@@ -21,6 +21,22 @@ CFreeSpaceGridMap2D::CFreeSpaceGridMap2D(double resolution)
 {
 }
 
+CFreeSpaceGridMap2D& CFreeSpaceGridMap2D::operator=(const CFreeSpaceGridMap2D& o)
+{
+  if (this == &o) return *this;
+  voxel::VoxelMap voxels = o.m_voxels;  // what needs much memory comes first
+  freespace::IncrementalLayers layers = o.m_layers;
+  LayerGridMap2D::operator=(o);
+  voxelInsertionOptions = o.voxelInsertionOptions;
+  renderingOptions = o.renderingOptions;
+  m_conversion = o.m_conversion;
+  m_voxels = std::move(voxels);
+  m_layers = std::move(layers);
+  m_pending = o.m_pending;
+  m_sawFree = o.m_sawFree;
+  return *this;
+}
+
 void CFreeSpaceGridMap2D::setConversionOptions(const freespace::TConversionOptions& options)
 {
   freespace::IncrementalLayers layers(options.params);
@@ -157,8 +173,8 @@ const grid::Layer<float>& CFreeSpaceGridMap2D::shownOf(const freespace::Layers& 
 
 std::string CFreeSpaceGridMap2D::asString() const
 {
-  return mrpt::format("Free-space grid map of %zu known voxels; %s",
-                      voxel::knownVoxels(*m_voxels.source()), LayerGridMap2D::asString().c_str());
+  return mrpt::format("Free-space grid map of %zu known voxels; %s", m_voxels.size(),
+                      LayerGridMap2D::asString().c_str());
 }
 
 void CFreeSpaceGridMap2D::drawLayers(mrpt::opengl::CSetOfObjects& scene) const

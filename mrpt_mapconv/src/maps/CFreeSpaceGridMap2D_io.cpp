@@ -20,7 +20,10 @@ void CFreeSpaceGridMap2D::serializeTo(mrpt::serialization::CArchive& out) const
 
   // The voxels' own resolution and sensor model: OctoMap's format rounds the one and lacks the
   // other.
-  m_voxels.model().writeToStream(out);
+  voxel::TVoxelInsertionOptions model;
+  model.adoptModel(m_voxels.model());
+  model.pruning = m_voxels.model().pruning;
+  model.writeToStream(out);
   out << m_voxels.resolution();
   out << m_voxels.fullOctree();
 
@@ -63,7 +66,8 @@ void CFreeSpaceGridMap2D::readVoxels(mrpt::serialization::CArchive& in)
 
   setCellSize(resolution);
   m_voxels.setModel(model);
-  m_voxels.setFullOctree(bytes, "CFreeSpaceGridMap2D stream", resolution);
+  m_voxels.setFullOctree(bytes, "CFreeSpaceGridMap2D stream", resolution,
+                         voxelInsertionOptions.maxMemory);
   const auto source = m_voxels.source();
   frame.resolution = resolution;
   m_layers = freespace::IncrementalLayers(m_conversion.params);

@@ -6,6 +6,11 @@
 
 #include "ScanBeams.h"
 
+namespace octomap
+{
+class OcTree;
+}
+
 namespace mrpt_mapconv::voxel
 {
 /** A scan's beams on a map; says so of those that had to be left out. */

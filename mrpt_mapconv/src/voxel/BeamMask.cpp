@@ -1,7 +1,6 @@
 #include "BeamMask.h"
 
 #include <algorithm>
-#include <mutex>
 #include <utility>
 #include <vector>
 
@@ -82,8 +81,12 @@ void BeamMask::add(BeamMask&& other)
 
 BeamMask::Table::Region& BeamMask::region(const VoxelKey& key)
 {
-  return *m_recent(key, [this](const VoxelKey& unknown, Table::Region*& region)
-                   { region = &m_table.obtain(unknown); });
+  return *m_recent(key,
+                   [this](const VoxelKey& unknown, Table::Region*& region)
+                   {
+                     m_budget->take(Table::bytesOfRegion());
+                     region = &m_table.obtain(unknown);
+                   });
 }
 
 BrickBits& BeamMask::bitsOf(Table::Region& region, std::size_t brick)
@@ -143,38 +146,44 @@ std::size_t BeamMask::bytesFor(const VoxelGrid& grid) const
 
 ColumnSet BeamMask::update(VoxelGrid& grid, const OccupancyModel& model, int threads) const
 {
+  struct Update
+  {
+    const BrickBits* bits;
+    VoxelGrid::Slot* slot;
+    VoxelKey origin;
+    bool wasOneValue;
+    BrickChange change;
+  };
   std::vector<Update> updates;
   for (const auto& [key, region] : m_table.regions())
   {
     auto& slots = grid.table().obtain(key);
     for (std::size_t i = 0; i < region->size(); ++i)
-      if (const auto& bits = (*region)[i])
-        updates.push_back({bits.get(), brickOrigin(key, i), &slots[i]});
+    {
+      const auto& bits = (*region)[i];
+      if (!bits || (!slots[i].brick && !bits->hasHit() && !changesByMiss(slots[i].value, model)))
+        continue;
+      updates.push_back({bits.get(), &slots[i], brickOrigin(key, i), !slots[i].brick, {}});
+    }
   }
+  const auto forAll = [&](const auto& work)
+  {
+    constexpr std::size_t kFewBricks = 16;
+    grid::inParallel(updates.size(), updates.size() < kFewBricks ? 1 : threads,
+                     [&](std::size_t begin, std::size_t end)
+                     { std::for_each(&updates[begin], &updates[end - 1] + 1, work); });
+  };
+  // memory first: what comes then cannot fail and leave the map half changed
+  forAll([](Update& update) { update.slot->expanded(); });
+  forAll(
+      [&model](Update& update)
+      {
+        updateBrick(*update.slot->brick, *update.bits, model, update.change);
+        if (update.change.value || update.wasOneValue) update.slot->collapse();
+      });
   ColumnSet changed;
-  std::mutex access;
-  constexpr std::size_t kFewBricks = 16;
-  grid::inParallel(updates.size(), updates.size() < kFewBricks ? 1 : threads,
-                   [&](std::size_t begin, std::size_t end)
-                   {
-                     ColumnSet part;
-                     for (std::size_t i = begin; i < end; ++i) update(updates[i], model, part);
-                     const std::lock_guard<std::mutex> lock(access);
-                     changed.insert(part);
-                   });
+  for (const auto& update : updates) insertRows(update.change.rows, update.origin, changed);
   return changed;
-}
-
-void BeamMask::update(const Update& update, const OccupancyModel& model, ColumnSet& changed)
-{
-  const auto& [bits, origin, slot] = update;
-  const bool noHit = std::all_of(bits->hit.begin(), bits->hit.end(), [](auto b) { return b == 0; });
-  if (noHit && !slot->brick && !changesByMiss(slot->value, model)) return;
-  const bool wasOneValue = !slot->brick;
-  BrickChange change;
-  updateBrick(slot->expanded(), *bits, model, change);
-  if (change.value || wasOneValue) slot->collapse();
-  insertRows(change.rows, origin, changed);
 }
 
 }  // namespace mrpt_mapconv::voxel

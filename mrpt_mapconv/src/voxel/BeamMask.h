@@ -34,14 +34,6 @@ class BeamMask
 
  private:
   using Table = RegionTable<std::unique_ptr<BrickBits>>;
-  /** A brick that has a bit, and where it belongs in a grid. */
-  struct Update
-  {
-    const BrickBits* bits;
-    VoxelKey origin;
-    VoxelGrid::Slot* slot;
-  };
-
   BeamMask(const OctomapKeys& keys, MemoryBudget& budget) : m_keys(keys), m_budget(&budget) {}
   Table::Region& region(const VoxelKey& key);
   BrickBits& bitsOf(Table::Region& region, std::size_t brick);
@@ -49,7 +41,6 @@ class BeamMask
   void cross(const octomap::point3d& origin, const ScanBeams::Beam& beam, const VoxelKey& from);
   void addShare(const ScanBeams& beams, std::size_t share, std::size_t shares);
   void add(BeamMask&& other);
-  static void update(const Update& update, const OccupancyModel& model, ColumnSet& changed);
 
   OctomapKeys m_keys;
   MemoryBudget* m_budget;

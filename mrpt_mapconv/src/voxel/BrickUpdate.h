@@ -2,6 +2,7 @@
 
 #include <mrpt_mapconv/voxel/VoxelGrid.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 
@@ -13,6 +14,11 @@ namespace mrpt_mapconv::voxel
 struct alignas(64) BrickBits
 {
   std::array<std::uint16_t, kBrickColumns> crossed{}, hit{};
+
+  bool hasHit() const
+  {
+    return std::any_of(hit.begin(), hit.end(), [](std::uint16_t column) { return column != 0; });
+  }
 };
 
 /** What an update did to a brick. */

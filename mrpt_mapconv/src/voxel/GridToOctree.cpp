@@ -1,3 +1,5 @@
+#include "GridToOctree.h"
+
 #include <mrpt_mapconv/voxel/OctreeSource.h>
 
 #include <algorithm>
@@ -6,7 +8,6 @@
 #include <utility>
 #include <vector>
 
-#include "GridOctree.h"
 #include "MortonCode.h"
 
 namespace mrpt_mapconv::voxel
@@ -225,6 +226,9 @@ OctreeNodes nodesOf(const VoxelGrid& grid, const Format& format, bool pruned)
   std::vector<typename NodeWriter<Format>::Part> parts;
   for (const auto& [key, region] : grid.table().regions())
   {
+    if (std::all_of(region->begin(), region->end(),
+                    [](const auto& slot) { return slot.isUntouched(); }))
+      continue;
     for (const std::int32_t k : {key.x, key.y, key.z})
       if (k < -range || k >= range)
         throw std::runtime_error(

@@ -7,7 +7,8 @@
 #include <stdexcept>
 
 #include "BytesBuffer.h"
-#include "GridOctree.h"
+#include "GridToOctree.h"
+#include "OctreeToGrid.h"
 
 namespace mrpt_mapconv::voxel
 {

@@ -14,9 +14,10 @@
 #include <string_view>
 
 #include "BytesBuffer.h"
-#include "GridOctree.h"
+#include "GridToOctree.h"
 #include "OctreeHeader.h"
 #include "OctreeNodeCheck.h"
+#include "OctreeToGrid.h"
 
 namespace mrpt_mapconv::voxel
 {
@@ -93,6 +94,10 @@ auto naming(const std::string& name, const Read& read)
 try
 {
   return read();
+}
+catch (const LeafTooLarge&)
+{
+  throw;
 }
 catch (const std::runtime_error& e)
 {

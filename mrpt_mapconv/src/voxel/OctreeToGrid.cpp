@@ -1,3 +1,5 @@
+#include "OctreeToGrid.h"
+
 #include <mrpt_mapconv/voxel/OctreeSource.h>
 #include <octomap/ColorOcTree.h>
 #include <octomap/OcTree.h>
@@ -7,7 +9,6 @@
 #include <cstring>
 #include <stdexcept>
 
-#include "GridOctree.h"
 #include "MemoryLimit.h"
 
 namespace mrpt_mapconv::voxel
@@ -53,12 +54,15 @@ class TreeNode
   const Node* m_node;
 };
 
+/** A leaf of so many voxels a side takes 4 MB of regions; larger ones are no maps of scans. */
+constexpr std::int32_t kLargestLeaf = 1024;
+
 /** Fills a grid with the leaves below a node. */
 class GridFiller
 {
  public:
   GridFiller(VoxelGrid& grid, const std::optional<std::int32_t>& maxMemory)
-      : m_grid(grid), m_maxMemory(maxMemory), m_limit(memoryLimit(maxMemory))
+      : m_grid(grid), m_maxMemory(maxMemory)
   {
   }
 
@@ -84,6 +88,7 @@ class GridFiller
   void fill(const VoxelKey& at, std::int32_t side, float logOdds)
   {
     constexpr std::int32_t regionSide = 1 << kRegionVoxelBits;
+    if (side > kLargestLeaf) throw LeafTooLarge(side);
     const std::size_t along = side > regionSide ? static_cast<std::size_t>(side / regionSide) : 1;
     require(along * along * along * VoxelGrid::Table::bytesOfRegion());
     m_grid.fillCube(at, side, logOdds);
@@ -116,18 +121,10 @@ class GridFiller
                   half);
   }
 
-  /** Counts roughly first, since counting exactly takes time. */
-  void require(std::size_t more)
-  {
-    m_added += more;
-    if (m_added <= m_limit) return;
-    requireMemory(m_grid, more, m_maxMemory);
-    m_added = m_grid.heapBytes() + more;
-  }
+  void require(std::size_t more) { reserveMemory(m_grid, more, m_maxMemory); }
 
   VoxelGrid& m_grid;
   const std::optional<std::int32_t>& m_maxMemory;
-  std::size_t m_limit, m_added = 0;
 };
 
 constexpr VoxelKey kRoot{-kOctomapKeyOffset, -kOctomapKeyOffset, -kOctomapKeyOffset};

@@ -33,34 +33,43 @@ void RayParams::check() const
 
 namespace
 {
-/** Bytes that rays can add to a grid at most, as far as their bounding box tells. */
+/** Bytes that rays can add to a grid at most, as far as their bounding box and their lengths tell.
+ */
 double mostBytes(const std::vector<GridRay>& rays)
 {
-  constexpr int kBits = kRayBits + kBrickBits;
-  double bricks = 1;
+  constexpr int brickBits = kRayBits + kBrickBits, regionBits = kRayBits + kRegionVoxelBits;
+  double bricksOfBox = 1, regionsOfBox = 1, bricksOfRays = 0;
   for (std::size_t i = 0; i < 3; ++i)
   {
     std::int64_t low = INT64_MAX, high = INT64_MIN;
     for (const auto& ray : rays)
     {
-      low = std::min({low, ray.from[i], ray.to[i]});
-      high = std::max({high, ray.from[i], ray.to[i]});
+      const auto [from, to] = std::pair(ray.from[i], ray.to[i]);
+      low = std::min({low, from, to});
+      high = std::max({high, from, to});
+      bricksOfRays += static_cast<double>(std::abs((to >> brickBits) - (from >> brickBits)));
     }
-    bricks *= static_cast<double>((high >> kBits) - (low >> kBits) + 1);
+    bricksOfBox *= static_cast<double>((high >> brickBits) - (low >> brickBits) + 1);
+    regionsOfBox *= static_cast<double>((high >> regionBits) - (low >> regionBits) + 1);
   }
-  return bricks * static_cast<double>(sizeof(VoxelGrid::Brick) + VoxelGrid::Table::bytesOfRegion());
+  bricksOfRays += static_cast<double>(rays.size());
+  const double bricks = std::min(bricksOfBox, bricksOfRays);
+  return bricks * sizeof(VoxelGrid::Brick) +
+         std::min(regionsOfBox, bricks) * static_cast<double>(VoxelGrid::Table::bytesOfRegion());
 }
 
-void requireMemoryFor(const VoxelGrid& grid, const SnappedRays& snapped, const RayModel& model,
-                      const std::optional<std::int32_t>& maxMemory)
+void reserveMemoryFor(const SnappedRays& snapped, const RayModel& model,
+                      const std::optional<std::int32_t>& maxMemory, VoxelGrid& grid)
 {
   if (snapped.rays.empty()) return;
   const auto limit = static_cast<double>(memoryLimit(maxMemory));
-  if (static_cast<double>(grid.heapBytes()) + mostBytes(snapped.rays) <= limit) return;
+  const double most = mostBytes(snapped.rays);
+  if (static_cast<double>(grid.heapBytesAtMost()) + most <= limit)
+    return grid.announce(static_cast<std::size_t>(most));
   RayMemory memory(grid, model, maxMemory);
   for (std::size_t r = 0; r < snapped.rays.size(); ++r)
     memory.count(snapped.rays[r], snapped.ends[r]);
-  memory.require();
+  memory.reserve();
 }
 
 /** More slabs than threads, such that more of what a slab's rays change stays in its cache:
@@ -79,7 +88,7 @@ InsertedRays insertRays(VoxelGrid& grid, const std::vector<Ray>& rays, const Ray
   params.check();
   auto snapped = snapRays(rays, grid.resolution(), params.maxRange);
   const RayModel model(params);
-  requireMemoryFor(grid, snapped, model, params.maxMemory);
+  reserveMemoryFor(snapped, model, params.maxMemory, grid);
   const auto slabs =
       slabsFor(snapped.rays, slabCount(snapped.rays.size(), grid::threadCount(threads)));
   std::mutex access;

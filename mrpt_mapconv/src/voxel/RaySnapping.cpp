@@ -1,5 +1,7 @@
 #include "RaySnapping.h"
 
+#include <mrpt/core/format.h>
+
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -56,9 +58,9 @@ class Snapper
     constexpr double most = 2147483648.0 * static_cast<double>(kRayUnits);
     const double units = std::floor(metres * m_scale + 0.5);
     if (units >= -most && units < most) return static_cast<std::int64_t>(units);
-    throw std::out_of_range(std::to_string(metres) + " m is " +
-                            std::to_string(metres * m_scale / static_cast<double>(kRayUnits)) +
-                            " voxels from the map's origin; 2^31 is the limit");
+    throw std::out_of_range(
+        mrpt::format("%g m is %g voxels from the map's origin; 2^31 is the limit", metres,
+                     metres * m_scale / static_cast<double>(kRayUnits)));
   }
 
   double m_scale, m_maxRange;

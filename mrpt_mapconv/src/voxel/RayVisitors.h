@@ -9,6 +9,7 @@
 #include <cstddef>
 #include <mutex>
 #include <optional>
+#include <utility>
 
 #include "Clamping.h"
 #include "KnownRegions.h"
@@ -62,7 +63,6 @@ class RayUpdater
   RayUpdater(VoxelGrid::Table& table, std::mutex& access, const RayModel& model)
       : m_table(table), m_access(access), m_model(model)
   {
-    m_nowhere.logOdds.fill(0);
   }
 
   Region& region(const VoxelKey& key)
@@ -127,7 +127,7 @@ class RayUpdater
   std::mutex& m_access;
   RayModel m_model;
   KnownRegions<Region> m_regions;
-  VoxelGrid::Brick m_nowhere;
+  VoxelGrid::Brick m_nowhere{0};
   RayEnd m_atEnd = RayEnd::Keep;
 };
 
@@ -135,8 +135,7 @@ class RayUpdater
 class RayMemory
 {
  public:
-  RayMemory(const VoxelGrid& grid, const RayModel& model,
-            const std::optional<std::int32_t>& maxMemory)
+  RayMemory(VoxelGrid& grid, const RayModel& model, const std::optional<std::int32_t>& maxMemory)
       : m_grid(grid),
         m_model(model),
         m_maxMemory(maxMemory),
@@ -160,7 +159,7 @@ class RayMemory
     return m_regions(key,
                      [this](const VoxelKey& unknown, Region& region)
                      {
-                       region.slots = m_grid.table().find(unknown);
+                       region.slots = std::as_const(m_grid).table().find(unknown);
                        if (!region.slots) add(VoxelGrid::Table::bytesOfRegion());
                      });
   }
@@ -176,14 +175,15 @@ class RayMemory
     if (m_atEnd == RayEnd::Hit) write(brick);
   }
 
-  /** \exception std::runtime_error as require(), once this is far from fitting */
+  /** \exception std::runtime_error as reserve(), once this is far from fitting */
   void count(const GridRay& ray, RayEnd atEnd)
   {
     m_atEnd = atEnd;
     walkRay(ray, {}, *this);
   }
-  /** \exception std::runtime_error if the rays that were counted need more than maxMemory */
-  void require() const { requireMemory(m_grid, m_bytes, m_maxMemory); }
+  /** Announces what the rays that were counted need.
+   * \exception std::runtime_error if that is more than maxMemory */
+  void reserve() { reserveMemory(m_grid, m_bytes, m_maxMemory); }
 
  private:
   /** How far beyond maxMemory it is counted [bytes], so that the complaint can tell what would do:
@@ -200,10 +200,10 @@ class RayMemory
   void add(std::size_t bytes)
   {
     m_bytes += bytes;
-    if (m_bytes > m_most) require();
+    if (m_bytes > m_most) reserve();
   }
 
-  const VoxelGrid& m_grid;
+  VoxelGrid& m_grid;
   const RayModel& m_model;
   const std::optional<std::int32_t>& m_maxMemory;
   std::size_t m_most, m_bytes = 0;

@@ -17,11 +17,7 @@ std::int32_t bitsOf(float value)
 
 VoxelGrid::Brick& VoxelGrid::Slot::expanded()
 {
-  if (!brick)
-  {
-    brick = std::make_unique<Brick>();
-    brick->logOdds.fill(value);
-  }
+  if (!brick) brick = std::make_unique<Brick>(value);
   return *brick;
 }
 
@@ -49,7 +45,7 @@ void VoxelGrid::setResolution(double resolution)
 }
 
 VoxelGrid::VoxelGrid(const VoxelGrid& o)
-    : m_resolution(o.m_resolution), m_occupiedFrom(o.m_occupiedFrom)
+    : m_resolution(o.m_resolution), m_occupiedFrom(o.m_occupiedFrom), m_bytesAtMost(o.m_bytesAtMost)
 {
   for (const auto& [key, region] : o.m_table.regions())
   {
@@ -77,13 +73,17 @@ float VoxelGrid::logOdds(const VoxelKey& voxel) const
 
 void VoxelGrid::set(const VoxelKey& voxel, float logOdds)
 {
+  if (bitsOf(this->logOdds(voxel)) == bitsOf(logOdds)) return;
+  announce(sizeof(Brick) + Table::bytesOfRegion());
   Slot& slot = m_table.obtain(regionKey(voxel))[brickIndex(voxel)];
-  if (bitsOf(slot.at(voxelIndex(voxel))) == bitsOf(logOdds)) return;
   slot.expanded().logOdds[voxelIndex(voxel)] = logOdds;
 }
 
 void VoxelGrid::fillCube(const VoxelKey& lowest, std::int32_t side, float logOdds)
 {
+  constexpr std::int32_t regionSide = 1 << kRegionVoxelBits;
+  const auto regions = static_cast<std::size_t>(std::max(1, side / regionSide));
+  announce(sizeof(Brick) + regions * regions * regions * Table::bytesOfRegion());
   if (side < kBrickSide)
   {
     auto& voxels = m_table.obtain(regionKey(lowest))[brickIndex(lowest)].expanded().logOdds;

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <stdexcept>
+#include <vector>
 
 #include "../grid/Wide.h"
 
@@ -16,7 +18,7 @@ struct ColumnBits
 {
   std::uint32_t free, occupied;
 };
-using BrickBits = std::array<ColumnBits, kBrickColumns>;
+using BrickColumns = std::array<ColumnBits, kBrickColumns>;
 
 constexpr std::uint32_t kAllVoxels = (1u << kBrickSide) - 1;
 
@@ -54,7 +56,7 @@ Extent extentOf(const Slot& slot)
 {
   constexpr std::int32_t last = kBrickSide - 1;
   if (!slot.brick) return isTouched(slot.value) ? Extent{0, last, 0, last, last} : Extent{};
-  BrickBits bits;
+  BrickColumns bits;
   readColumns(slot.brick->logOdds.data(), 0, bits.data(), bits.size());
   Extent extent;
   std::uint32_t any = 0;
@@ -75,19 +77,22 @@ Extent extentOf(const Slot& slot)
 }
 }  // namespace
 
-VoxelGridSource::VoxelGridSource(const VoxelGrid& grid) : m_grid(grid)
+VoxelGridSource::VoxelGridSource(const VoxelGrid& grid)
+    : m_grid(grid),
+      m_zMin(std::numeric_limits<std::int32_t>::max()),
+      m_zMax(std::numeric_limits<std::int32_t>::min())
 {
   for (const auto& [key, region] : grid.table().regions())
-    m_towers[{key.x, key.y}].push_back({key.z, region.get()});
-  for (auto& [key, tower] : m_towers)
-    std::sort(tower.begin(), tower.end(),
-              [](const Storey& a, const Storey& b) { return a.z < b.z; });
+  {
+    m_zMin = std::min(m_zMin, key.z);
+    m_zMax = std::max(m_zMax, key.z);
+  }
 }
 
 std::optional<KeyRect> VoxelGridSource::bounds() const
 {
   constexpr auto big = std::numeric_limits<std::int32_t>::max();
-  KeyRect box{big, big, -big, -big};
+  KeyRect box{big, big, -big - 1, -big - 1};
   m_grid.table().forEachSlot(
       [&box](const VoxelKey& origin, const Slot& slot)
       {
@@ -102,6 +107,9 @@ std::optional<KeyRect> VoxelGridSource::bounds() const
             std::max(box.xMax, origin.x + extent.xMax), std::max(box.yMax, origin.y + extent.yMax)};
       });
   if (box.xMin > box.xMax) return std::nullopt;
+  const auto isWide = [](std::int64_t low, std::int64_t high) { return high - low >= big; };
+  if (isWide(box.xMin, box.xMax) || isWide(box.yMin, box.yMax))
+    throw std::runtime_error("the voxel map is 2^31 voxels wide or more; larger voxels would do");
   return box;
 }
 
@@ -122,32 +130,33 @@ void VoxelGridSource::read(ColumnBlock& block) const
 {
   constexpr std::int32_t blocksBits = kRegionVoxelBits - 5, bricks = kBlockSide / kBrickSide;
   const BlockKey key = block.key();
-  const auto tower = m_towers.find({key.x >> blocksBits, key.y >> blocksBits});
-  if (tower == m_towers.end()) return;
-
   struct Piece
   {
     std::int32_t x, y, z;  // of the lowest voxel: in the block, and its key
     const Slot* slot;
   };
   std::vector<Piece> pieces;  // from the lowest up
-  for (const Storey& storey : tower->second)
+  for (std::int32_t z = m_zMin; z <= m_zMax; ++z)
+  {
+    const auto* region = m_grid.table().find({key.x >> blocksBits, key.y >> blocksBits, z});
+    if (!region) continue;
     for (std::int32_t up = 0; up < kRegionSide; ++up)
       for (std::int32_t x = 0; x < bricks; ++x)
         for (std::int32_t y = 0; y < bricks; ++y)
         {
           const VoxelKey lowest{key.x * kBlockSide + x * kBrickSide,
                                 key.y * kBlockSide + y * kBrickSide,
-                                (storey.z << kRegionVoxelBits) + up * kBrickSide};
-          const Slot& slot = (*storey.region)[brickIndex(lowest)];
+                                z * (1 << kRegionVoxelBits) + up * kBrickSide};
+          const Slot& slot = (*region)[brickIndex(lowest)];
           if (!slot.isUntouched())
             pieces.push_back({x * kBrickSide, y * kBrickSide, lowest.z, &slot});
         }
+  }
   if (pieces.empty()) return;
 
   block.setHeight(pieces.front().z, pieces.back().z + kBrickSide);
   const float occupiedFrom = m_grid.occupiedFrom();
-  BrickBits bits;
+  BrickColumns bits;
   for (const Piece& piece : pieces)
   {
     if (!piece.slot->brick) bits.fill(bitsOf(piece.slot->value, occupiedFrom));

@@ -1,5 +1,4 @@
 #include <mrpt_mapconv/grid/Resolution.h>
-#include <mrpt_mapconv/params/Text.h>
 #include <mrpt_mapconv/voxel/OcTreeCopy.h>
 #include <mrpt_mapconv/voxel/OctreeFile.h>
 #include <mrpt_mapconv/voxel/OctreeSource.h>
@@ -13,6 +12,7 @@
 
 #include "BeamInsertion.h"
 #include "OccupancyModel.h"
+#include "OctreeToGrid.h"
 
 namespace mrpt_mapconv::voxel
 {
@@ -46,6 +46,8 @@ VoxelMap& VoxelMap::operator=(VoxelMap&& o) noexcept
 }
 
 bool VoxelMap::empty() const { return m_grid ? m_grid->empty() : m_tree->size() == 0; }
+
+std::size_t VoxelMap::size() const { return m_grid ? m_grid->size() : knownVoxels(*source()); }
 
 std::unique_ptr<VoxelSource> VoxelMap::source() const
 {
@@ -89,22 +91,41 @@ void VoxelMap::setModel(const TVoxelInsertionOptions& model)
 void VoxelMap::setOctree(std::unique_ptr<octomap::OcTree> tree)
 {
   if (!tree) throw std::invalid_argument("no octree given");
+  grid::requireResolution(tree->getResolution());
   m_resolution = tree->getResolution();
   m_model.adoptFrom(*tree);
   m_tree = std::move(tree);
   m_grid.reset();
 }
 
-void VoxelMap::setFullOctree(std::string_view bytes, const std::string& name, double resolution)
+void VoxelMap::setFullOctree(std::string_view bytes, const std::string& name, double resolution,
+                             const std::optional<std::int32_t>& maxMemory)
 {
-  VoxelGrid grid = readVoxelGrid(bytes, name);
-  if (!(std::abs(grid.resolution() / resolution - 1) < 1e-5))
-    throw std::runtime_error(name + ": two different resolutions");
-  grid.setResolution(resolution);
-  grid.setOccupiedFrom(OccupancyModel(m_model).occupiedFrom);
+  grid::requireResolution(resolution);
+  const auto checkScale = [&](double own)
+  {
+    if (!(std::abs(own / resolution - 1) < 1e-5))
+      throw std::runtime_error(name + ": two different resolutions");
+  };
+  std::unique_ptr<octomap::OcTree> tree;
+  std::optional<VoxelGrid> grid;
+  try
+  {
+    grid = readVoxelGrid(bytes, name, maxMemory);
+    checkScale(grid->resolution());
+    grid->setResolution(resolution);
+    grid->setOccupiedFrom(OccupancyModel(m_model).occupiedFrom);
+  }
+  catch (const LeafTooLarge&)  // which costs a tree nothing
+  {
+    tree.reset(dynamic_cast<octomap::OcTree*>(readOctree(std::string(bytes), name).release()));
+    checkScale(tree->getResolution());
+    tree->setResolution(resolution);
+    m_model.applyTo(*tree);
+  }
   m_resolution = resolution;
   m_grid = std::move(grid);
-  m_tree.reset();
+  m_tree = std::move(tree);
 }
 
 void VoxelMap::clear()
@@ -119,10 +140,14 @@ void VoxelMap::clear()
 ColumnSet VoxelMap::insertIntoGrid(const ScanBeams& beams, const TVoxelInsertionOptions& options,
                                    int threads)
 {
-  std::optional<VoxelGrid> made;
-  if (!m_grid) made = toVoxelGrid(*m_tree, options.maxMemory);
-  auto changed = insertBeams(made ? *made : *m_grid, beams, options, threads);
-  if (made) m_grid = std::move(made);
+  if (m_grid)
+  {
+    m_tree.reset();
+    return insertBeams(*m_grid, beams, options, threads);
+  }
+  VoxelGrid made = toVoxelGrid(*m_tree, options.maxMemory);
+  auto changed = insertBeams(made, beams, options, threads);
+  m_grid = std::move(made);
   m_tree.reset();
   return changed;
 }
@@ -149,12 +174,15 @@ ColumnSet VoxelMap::insertScan(const observation::SensorPoints& scan,
                                const std::function<void(const grid::GridFrame&)>& check,
                                int threads)
 {
+  options.check();
   const ScanBeams beams = beamsOf(m_resolution, scan, options, warnings);
   if (check) check(beams.frame());
+  const bool staysPruned = m_model.pruning && !empty();
   auto changed = options.voxelEngine == VoxelEngine::Blocks
                      ? insertIntoGrid(beams, options, threads)
                      : insertIntoOctree(beams, options);
   m_model = options;
+  m_model.pruning = options.pruning || staysPruned;
   return changed;
 }
 

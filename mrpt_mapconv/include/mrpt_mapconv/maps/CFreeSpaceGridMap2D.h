@@ -57,6 +57,8 @@ class CFreeSpaceGridMap2D : public maps::LayerGridMap2D
   /** An empty map. \param resolution size of voxels and cells, 0.0001 to 1000 m
    * \exception std::invalid_argument for another resolution */
   explicit CFreeSpaceGridMap2D(double resolution = voxel::VoxelMapParams().resolution);
+  CFreeSpaceGridMap2D(const CFreeSpaceGridMap2D& o) = default;
+  CFreeSpaceGridMap2D& operator=(const CFreeSpaceGridMap2D& o);
 
   /** How scans go into the voxel map. Takes effect with the next insertion. */
   voxel::TVoxelInsertionOptions voxelInsertionOptions;
@@ -70,8 +72,8 @@ class CFreeSpaceGridMap2D : public maps::LayerGridMap2D
 
   /** The voxel map. */
   const voxel::VoxelMap& voxelMap() const { return m_voxels; }
-  /** The voxel map as an octree, made when it is first asked for and kept until the map changes;
-   * several threads may ask at once. */
+  /** The voxel map as an octree, made when it is first asked for and kept until the map changes,
+   * with which the reference ends; several threads may ask at once. */
   const octomap::OcTree& octree() const { return m_voxels.octree(); }
   /** All layers, on a frame that holds every known voxel and maybe some room around. */
   const freespace::Layers& layers() const { return m_layers.layers(); }

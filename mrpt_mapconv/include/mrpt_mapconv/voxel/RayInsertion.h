@@ -79,6 +79,6 @@ struct InsertedRays
  * \exception std::runtime_error if the map would exceed maxMemory; says by how much
  * In all cases the map is as it was. */
 InsertedRays insertRays(VoxelGrid& grid, const std::vector<Ray>& rays, const RayParams& params = {},
-                        int threads = 1);
+                        int threads = 0);
 
 }  // namespace mrpt_mapconv::voxel

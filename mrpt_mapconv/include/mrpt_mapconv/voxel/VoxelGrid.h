@@ -35,6 +35,7 @@ class VoxelGrid
  public:
   struct alignas(64) Brick
   {
+    explicit Brick(float value) { logOdds.fill(value); }
     std::array<float, kBrickVoxels> logOdds;
   };
   /** A brick, or the value of all of its voxels. */
@@ -76,20 +77,32 @@ class VoxelGrid
    * divides the corner's keys. */
   void fillCube(const VoxelKey& lowest, std::int32_t side, float logOdds);
   /** Makes all voxels unknown; the resolution stays. */
-  void clear() { m_table.clear(); }
+  void clear()
+  {
+    m_table.clear();
+    m_bytesAtMost = 0;
+  }
   /** Whether no voxel was ever touched. */
   bool empty() const;
   /** How many voxels have been touched. */
   std::size_t size() const;
-  /** What the grid has on the heap. */
+  /** What the grid has on the heap; counts its bricks. */
   std::size_t heapBytes() const;
+  /** The same or more, but known at once: what was counted last and all that was announced since.
+   */
+  std::size_t heapBytesAtMost() const { return m_bytesAtMost; }
+  /** Announces bricks and regions that are going to be added to table(). */
+  void announce(std::size_t bytes) { m_bytesAtMost += bytes; }
+  void countHeapBytes() { m_bytesAtMost = heapBytes(); }
 
   const Table& table() const { return m_table; }
+  /** For writing; whoever adds to it announces that first. */
   Table& table() { return m_table; }
 
  private:
   double m_resolution;
   float m_occupiedFrom = 0;
+  std::size_t m_bytesAtMost = 0;
   Table m_table;
 };
 

@@ -1,11 +1,10 @@
 #pragma once
 
-#include <mrpt_mapconv/voxel/ColumnSet.h>
 #include <mrpt_mapconv/voxel/VoxelGrid.h>
 #include <mrpt_mapconv/voxel/VoxelSource.h>
 
-#include <unordered_map>
-#include <vector>
+#include <cstdint>
+#include <optional>
 
 namespace mrpt_mapconv::voxel
 {
@@ -16,20 +15,14 @@ class VoxelGridSource : public VoxelSource
  public:
   explicit VoxelGridSource(const VoxelGrid& grid);
   double resolution() const override { return m_grid.resolution(); }
+  /** \exception std::runtime_error for a map that is 2^31 voxels wide or more */
   std::optional<KeyRect> bounds() const override;
   void read(ColumnBlock& block) const override;
   std::optional<std::int32_t> top() const override;
 
  private:
-  struct Storey
-  {
-    std::int32_t z;  //!< of the region's key
-    const VoxelGrid::Table::Region* region;
-  };
-  using Towers = std::unordered_map<BlockKey, std::vector<Storey>, ColumnSet::BlockKeyHash>;
-
   const VoxelGrid& m_grid;
-  Towers m_towers;  //!< regions above each other, from the lowest, by the x and y of their keys
+  std::int32_t m_zMin, m_zMax;  //!< of the regions' keys
 };
 
 }  // namespace mrpt_mapconv::voxel

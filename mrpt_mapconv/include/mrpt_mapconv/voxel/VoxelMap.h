@@ -41,12 +41,14 @@ class VoxelMap
   double resolution() const { return m_resolution; }
   /** Whether no voxel is known. */
   bool empty() const;
+  /** How many voxels are known. */
+  std::size_t size() const;
   /** Whether any voxel is free. */
   bool hasFree() const { return hasFreeVoxel(*source()); }
   /** What the map is read through, until it changes. */
   std::unique_ptr<VoxelSource> source() const;
   /** The map as an octree with the sensor model of model(). It is made when it is first asked for,
-   * and kept until the map changes.
+   * and kept until the map changes: then the reference is no longer valid.
    * \exception std::runtime_error if the map reaches beyond an octree's range of ±32768 voxels */
   const octomap::OcTree& octree() const;
   /** The bytes of an `.ot` file of octree(), which need not be made for that. */
@@ -55,18 +57,22 @@ class VoxelMap
   void writeOctreeFile(const std::string& path) const;
 
   /** The sensor model of the last insertion, or that which came with an octree; the five
-   * probabilities count, and whether octree() is pruned. */
+   * probabilities count, and whether octree() is pruned: one that was once stays so. */
   const TVoxelInsertionOptions& model() const { return m_model; }
   /** Sets it, and with it from which probability on voxels are occupied; a map that came as an
    * octree stays pruned, or not, as it is. */
   void setModel(const TVoxelInsertionOptions& model);
 
-  /** Replaces the map, its resolution, and its model by a tree's. */
+  /** Replaces the map, its resolution, and its model by a tree's.
+   * \exception std::invalid_argument for none, or one of a resolution that the constructor refuses
+   */
   void setOctree(std::unique_ptr<octomap::OcTree> tree);
-  /** Replaces the map by the bytes of an `.ot` file of an OcTree, in bricks; the model stays.
+  /** Replaces the map by the bytes of an `.ot` file of an OcTree; the model stays.
    * \param resolution if a file's was rounded to fewer digits
+   * \param maxMemory of the grid [MB]; none: three quarters of the machine's
    * \exception std::runtime_error as readVoxelGrid(); the map then stays as it was */
-  void setFullOctree(std::string_view bytes, const std::string& name, double resolution);
+  void setFullOctree(std::string_view bytes, const std::string& name, double resolution,
+                     const std::optional<std::int32_t>& maxMemory = {});
   /** Makes all voxels unknown. */
   void clear();
 
@@ -77,6 +83,7 @@ class VoxelMap
    * \param warnings told of points that lie outside the range of ±32768 voxels (left out)
    * \param threads 0 = all cores
    * \return the columns in which a voxel has become known or has changed between free and occupied
+   * \exception std::invalid_argument for options that are not valid
    * \exception std::runtime_error for a sensor pose that is not finite or outside the range, or if
    * the map would exceed maxMemory; the map then stays as it was */
   ColumnSet insertScan(const observation::SensorPoints& scan, const TVoxelInsertionOptions& options,
