@@ -113,6 +113,28 @@ TEST(OcTreeCopy, ManySmallLeavesThatNeedTooMuchMemoryAreOneClearLine)
   EXPECT_EQ(voxel::toVoxelGrid(tree, 3).size(), 100u);
 }
 
+TEST(OcTreeCopy, WhatFitsIsHeldThoughEveryLeafCouldHaveNeededARegion)
+{
+  VoxelGrid grid(0.1);
+  for (int x = 0; x < 384; x += 32)
+    for (int y = 0; y < 128; y += 32)
+      for (int z = 0; z < 128; z += 32)
+        grid.fillCube({x, y, z}, 32, (x + y + z) % 64 == 0 ? 0.5f : -0.5f);
+  const auto tree = voxel::toOcTree(grid);
+  EXPECT_EQ(tree->getNumLeafNodes(), 192u);  // of 8 kB each
+  EXPECT_EQ(voxel::toVoxelGrid(*tree, 1).size(), grid.size());
+}
+
+TEST(OcTreeCopy, EqualVoxelsOfATreeThatIsNotPrunedBecomeOneValue)
+{
+  VoxelGrid grid(0.1);
+  grid.fillCube({-16, 0, 16}, 16, 0.5f);
+  const auto tree = voxel::toOcTree(grid, false);
+  EXPECT_EQ(tree->getNumLeafNodes(), 4096u);
+  EXPECT_EQ(voxel::toVoxelGrid(*tree).heapBytes(), grid.heapBytes());
+  EXPECT_LT(grid.heapBytes(), sizeof(VoxelGrid::Brick));
+}
+
 /** −0 stands for a voxel that was never touched. */
 TEST(OcTreeCopy, MinusZeroBecomesZero)
 {

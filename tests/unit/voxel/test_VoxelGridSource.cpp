@@ -70,12 +70,8 @@ void expectBlockEqualsGrid(const VoxelGrid& grid, const ColumnBlock& block, cons
     }
 }
 
-/** bounds(), top() and counts, and every block around what is known. */
-void expectSourceEqualsGrid(const VoxelGrid& grid, const ColumnMask& wanted)
+void expectBounds(const VoxelGridSource& source, const std::optional<Box>& box)
 {
-  const VoxelGridSource source(grid);
-  EXPECT_EQ(source.resolution(), grid.resolution());
-  const auto box = boxOf(grid);
   const auto bounds = source.bounds();
   ASSERT_TRUE(bounds && box);
   EXPECT_EQ(bounds->xMin, box->low.x);
@@ -83,6 +79,15 @@ void expectSourceEqualsGrid(const VoxelGrid& grid, const ColumnMask& wanted)
   EXPECT_EQ(bounds->xMax, box->high.x);
   EXPECT_EQ(bounds->yMax, box->high.y);
   EXPECT_EQ(source.top(), box->high.z);
+}
+
+/** bounds(), top() and counts, and every block around what is known. */
+void expectSourceEqualsGrid(const VoxelGrid& grid, const ColumnMask& wanted)
+{
+  const VoxelGridSource source(grid);
+  EXPECT_EQ(source.resolution(), grid.resolution());
+  const auto box = boxOf(grid);
+  expectBounds(source, box);
   EXPECT_EQ(source.VoxelSource::top(), box->high.z);
   const auto voxels = test::knownVoxels(grid);
   EXPECT_EQ(voxel::knownVoxels(source), voxels.size());
@@ -184,21 +189,30 @@ TEST(VoxelGridSource, RandomVoxelsAndRandomColumns)
   }
 }
 
-TEST(VoxelGridSource, ASingleWantedColumnIsAllThatIsMarked)
+TEST(VoxelGridSource, ASingleWantedColumn)
 {
   VoxelGrid grid(0.1);
   grid.fillCube({0, 0, 0}, 32, kFree);
   grid.set({17, 9, 5}, kOccupied);
-  const VoxelGridSource source(grid);
   for (const int x : {0, 15, 16, 17, 31})
   {
     ColumnMask wanted{};
     wanted[9] = 1u << x;
     expectSourceEqualsGrid(grid, wanted);
-    ColumnBlock block;
-    block.start({0, 0}, wanted);
-    source.read(block);
-    EXPECT_EQ(stateIn(block, (x + 1) % 32, 9, 3), Voxel::Unknown);
+  }
+}
+
+/** Each voxel of a few can be the outermost one of a brick that is not. */
+TEST(VoxelGridSource, BoundsAndTopOfAFewVoxels)
+{
+  for (unsigned seed = 1; seed <= 500; ++seed)
+  {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    std::mt19937 rng(seed);
+    VoxelGrid grid(0.1);
+    const auto any = [&rng] { return static_cast<int>(rng() % 300) - 150; };
+    for (int i = 0; i < 12; ++i) grid.set({any(), any(), any()}, kFree);
+    expectBounds(VoxelGridSource(grid), boxOf(grid));
   }
 }
 

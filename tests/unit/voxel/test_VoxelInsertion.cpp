@@ -70,6 +70,19 @@ TEST(VoxelInsertion, MaxRangeLeavesTheEndOut)
   EXPECT_EQ(stateAt(tree, 4.5, 0.5, 0.5), State::Unknown);
 }
 
+TEST(VoxelInsertion, ABeamAsLongAsMaxRangeIsWhole)
+{
+  TVoxelInsertionOptions options;
+  options.maxrange = 4;
+  const auto seen = scan({{4, 0, 0}}, {0.5, 0.5, 0.5, 0, 0, 0});
+  octomap::OcTree tree(1.0);
+  insertScan(tree, seen, options);
+  EXPECT_EQ(stateAt(tree, 4.5, 0.5, 0.5), State::Occupied);
+  voxel::VoxelGrid grid(1.0);
+  insertScan(grid, seen, options);
+  EXPECT_GT(grid.logOdds({4, 0, 0}), 0);
+}
+
 TEST(VoxelInsertion, ABeamWithoutReturnFreesAndOccupiesNothing)
 {
   octomap::OcTree tree(1.0);
