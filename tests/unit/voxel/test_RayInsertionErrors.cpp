@@ -174,7 +174,7 @@ TEST(RayInsertionErrors, WhatFitsOnlyByExactCountIsInserted)
   RayParams params;
   params.maxMemory = 3;
   VoxelGrid grid(1);
-  insertRays(grid, {diagonal(40)}, params);
+  insertRays(grid, std::vector<Ray>(3, diagonal(40)), params);
   EXPECT_EQ(3u * (40 * 16 - 1) + 1, grid.size());
   EXPECT_LE(grid.heapBytes(), 3'000'000u);
 }
@@ -188,15 +188,34 @@ TEST(RayInsertionErrors, BricksThatAreThereNeedNoMore)
   EXPECT_FLOAT_EQ(3 * -0.200670695f, grid.logOdds({0, 0, 0}));
 }
 
+/** Bricks as free as can be, which take half of a megabyte. */
+VoxelGrid freeGrid()
+{
+  VoxelGrid grid(1);
+  grid.fillCube({0, 0, 0}, 512, -2.0f);
+  return grid;
+}
+
 TEST(RayInsertionErrors, MissesOfBricksThatAreAsFreeAsCanBeNeedNoMore)
 {
   RayParams params;
   params.maxMemory = 1;
-  VoxelGrid free(1);
-  free.fillCube({0, 0, 0}, 512, -2.0f);
+  VoxelGrid grid = freeGrid();
+  const std::string before = test::bytesOf(grid);
   const Ray cleared{{0.5, 0.5, 0.5}, {511.5, 511.5, 511.5}, RayEnd::Clear};
-  const std::string before = test::bytesOf(free);
-  insertRays(free, std::vector<Ray>(3, cleared), params);
-  EXPECT_TRUE(before == test::bytesOf(free));
+  insertRays(grid, std::vector<Ray>(3, cleared), params);
+  EXPECT_TRUE(before == test::bytesOf(grid));
+}
+
+TEST(RayInsertionErrors, HitsInBricksThatAreAsFreeAsCanBeNeedABrickEach)
+{
+  RayParams params;
+  params.maxMemory = 1;
+  std::vector<Ray> rays;
+  for (int brick = 0; brick < 32; ++brick)
+    for (const double z : {0.5, 16.5}) rays.push_back({{0, 0, 0}, {16.0 * brick, 0, z}});
+  const auto message = refusal<std::runtime_error>(freeGrid(), rays, params);
+  EXPECT_NE(std::string::npos, message.find("of 0.5 MB would need at least 1.0 MB more"))
+      << message;
 }
 }  // namespace
