@@ -95,9 +95,9 @@ try
 {
   return read();
 }
-catch (const LeafTooLarge&)
+catch (const LeafTooLarge& e)
 {
-  throw;
+  throw LeafTooLarge(name + ": " + e.what());
 }
 catch (const std::runtime_error& e)
 {

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cstring>
 #include <stdexcept>
+#include <string>
 
 #include "MemoryLimit.h"
 
@@ -88,7 +89,9 @@ class GridFiller
   void fill(const VoxelKey& at, std::int32_t side, float logOdds)
   {
     constexpr std::int32_t regionSide = 1 << kRegionVoxelBits;
-    if (side > kLargestLeaf) throw LeafTooLarge(side);
+    if (side > kLargestLeaf)
+      throw LeafTooLarge("an octree with a leaf of " + std::to_string(side) +
+                         " voxels a side is too large for blocks; voxelEngine = octomap takes it");
     const std::size_t along = side > regionSide ? static_cast<std::size_t>(side / regionSide) : 1;
     require(along * along * along * VoxelGrid::Table::bytesOfRegion());
     m_grid.fillCube(at, side, logOdds);

@@ -18,11 +18,7 @@ namespace mrpt_mapconv::voxel
 /** What the next two throw of a leaf that would need too many bricks. */
 struct LeafTooLarge : std::runtime_error
 {
-  explicit LeafTooLarge(std::int32_t side)
-      : std::runtime_error("an octree with a leaf of " + std::to_string(side) +
-                           " voxels a side is too large for blocks; voxelEngine = octomap takes it")
-  {
-  }
+  using std::runtime_error::runtime_error;
 };
 
 /** Fills an empty grid with the leaves of an `.ot` file's nodes, which have to be whole.

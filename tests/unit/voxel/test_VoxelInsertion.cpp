@@ -129,6 +129,7 @@ TEST(VoxelInsertion, PruningMergesEqualVoxelsAndWithoutItNothingIsMerged)
                           0.5f + static_cast<float>(i >> 2));
     // probMiss 0.5 leaves what the beams cross as it is
     options.probMiss = 0.5;
+    options.occupancyThres = 0.6;
     insertScan(tree, scan(points, {-5.5, 0.6, 0.6, 0, 0, 0}), options);
     const std::size_t leaves = tree.getNumLeafNodes();
     tree.prune();

@@ -64,8 +64,9 @@ struct InsertedRays
 };
 
 /** Inserts rays: each voxel on the way gets a miss, that of the ray's start included; then the
- * voxel of its end gets what the ray says. A ray that ends where it starts says nothing but that.
- * Log-odds are added and clamped to [minLogOdds, maxLogOdds] after every update, and never locked.
+ * voxel of its end gets what the ray says. A ray that ends in the voxel in which it starts says
+ * nothing but that. Log-odds are added and clamped to [minLogOdds, maxLogOdds] after every update,
+ * and never locked.
  *
  * Rays longer than maxRange are cut there, and end in a miss. Ends are snapped to 1/256 voxel; from
  * there on the walk is exact (walkRay()). A voxel that several rays go through is updated several
