@@ -1,0 +1,37 @@
+#pragma once
+
+#include <mrpt/math/TPoint3D.h>
+#include <mrpt_mapconv/cloud/PointCloud.h>
+#include <mrpt_mapconv/files/InputStream.h>
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace mrpt_mapconv::cloud
+{
+/** How a file of points is read. */
+struct CloudReading
+{
+  /** What is taken off the coordinates [m]; none: the first point, rounded down to whole metres, if
+   * any point is farther than 10 km from the origin, else nothing. */
+  std::optional<mrpt::math::TPoint3D> origin = {};
+};
+
+/** Whether these are the first bytes of a file of points, or its name says so (text and KITTI's
+ * `.bin` have no mark of their own). */
+bool beginsAsCloud(std::string_view bytes, const std::string& name);
+
+/** Reads `.las` (1.0 to 1.4), `.ply`, `.pcd`, text (`.xyz`, `.txt`, `.csv`) or KITTI's `.bin`.
+ * \exception std::runtime_error in one line naming the file and what is wrong with it: missing,
+ * empty, truncated, of a kind that nothing here reads (with a command that converts it), a header
+ * that lies, a line of text that is no point (by number) */
+PointCloud readCloud(files::InputStream& stream, const CloudReading& reading = {});
+PointCloud readCloudFile(const std::string& path, const CloudReading& reading = {});
+
+/** Writes a cloud in the format that the file's name ends with, with its attributes as far as the
+ * format has them; the file appears whole or not at all.
+ * \exception std::runtime_error naming the file and the reason if it cannot be written */
+void writeCloudFile(const std::string& path, const PointCloud& cloud);
+
+}  // namespace mrpt_mapconv::cloud

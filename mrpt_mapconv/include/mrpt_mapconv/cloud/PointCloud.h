@@ -1,0 +1,40 @@
+#pragma once
+
+#include <mrpt/math/TPoint3D.h>
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace mrpt_mapconv::cloud
+{
+/** Points as a file has them, with what it says of each. Attributes that the file lacks are empty;
+ * the others have one value for each point. */
+struct PointCloud
+{
+  /** Was taken off all coordinates [m]; whole metres. Coordinates of national grids (UTM) have
+   * millions of metres, of which a float would keep half a metre. */
+  mrpt::math::TPoint3D origin{0, 0, 0};
+  std::vector<double> x, y, z;  //!< less the origin [m]
+
+  std::vector<double> time;  //!< [s], in the file's own epoch
+  std::vector<float> intensity;
+  std::vector<std::uint8_t> returnNumber;     //!< from 1 on
+  std::vector<std::uint8_t> numberOfReturns;  //!< of the pulse
+  /** Classes of the ASPRS: 0 never classified, 1 unclassified, 2 ground, 7 noise, … */
+  std::vector<std::uint8_t> classification;
+  /** 1 for points that the file marks as not to be used; they take no part in anything. */
+  std::vector<std::uint8_t> withheld;
+
+  std::string coordinateSystem;  //!< as WKT or "EPSG:N"; empty if the file names none
+  std::size_t notFinite = 0;  //!< points that were left out, since a coordinate is NaN or infinite
+
+  std::size_t size() const { return x.size(); }
+  bool empty() const { return x.empty(); }
+};
+
+/** Classes of the ASPRS that are written here. */
+constexpr std::uint8_t kUnclassified = 1, kGround = 2;
+
+}  // namespace mrpt_mapconv::cloud
