@@ -40,6 +40,7 @@ void writeOutputs(const freespace::Layers& layers, const ConversionParams& param
 {
   grid::ExportFormats formats{"layers.tif", freespace::metadataOf(params)};
   formats.pictures = formats.gridMaps = formats.rosMaps = true;
+  formats.reference = input.reference();
   input.writeOctree(out.path("voxels.bt"));
   constexpr double kLayersShare = 0.9;
   const auto edges = freespace::dropEdges(layers, params);
@@ -170,7 +171,7 @@ int convert(const ConvertOptions& options)
             { writeOutputs(layers, params, input, out, job.progress()); });
 
   const SummaryHead head{shownName(options.input.file), input.description(), options.outputDir,
-                         layers.frame()};
+                         layers.frame(), input.reference()};
   job.print(options.json ? jsonSummary(head, counts, params, job.seconds())
                          : textSummary(head, counts, params, job.seconds()));
   return 0;

@@ -16,6 +16,7 @@
 
 #include "command/Command.h"
 #include "input/EachScan.h"
+#include "input/GeoOptions.h"
 #include "input/InputFile.h"
 #include "input/InputOptions.h"
 #include "input/ScanFile.h"
@@ -36,6 +37,7 @@ struct InsertOptions
   std::string file, iniFile, outputDir;
   ScanFlags flags;
   observation::RawlogOptions log;
+  GeoOptions geo;
   bool json = false;
 };
 
@@ -115,12 +117,16 @@ std::string titleOf(const scan::ProfileParams& params)
          jsonNumber(params.objectMaxZ) + " m, from 3D scans";
 }
 
-void writeOutputs(const Result& map, const ScanInserter& inserter, files::OutputDir& out)
+void writeOutputs(const Result& map, const ScanInserter& inserter,
+                  const grid::GeoReference& reference, files::OutputDir& out)
 {
   grid::ExportFormats formats;
   formats.pictures = formats.rosMaps = true;
+  formats.reference = reference;
   const auto title = titleOf(inserter.settings().insertion.profile);
-  grid::exportLayers(out, {{"occupancy", &map.probability}}, {"map.tif"});
+  grid::ExportFormats tiff{"map.tif"};
+  tiff.reference = reference;
+  grid::exportLayers(out, {{"occupancy", &map.probability}}, tiff);
   grid::exportLayers(out, {{"map", &map.occupancy, title, "", grid::LayerKind::Occupancy}},
                      formats);
   writeGrid(out.path("map.gridmap"), inserter.map(), map.occupancy);
@@ -173,8 +179,9 @@ int insert(const InsertOptions& options)
   const ScanSettings settings = readScanSettings(options.iniFile, options.flags, noEffect);
   job.checkOutput(options.outputDir);
 
-  const ScanFile file = job.stage(
+  ScanFile file = job.stage(
       "load", [&] { return read3DScans(options.file, options.log, noEffect, job.progress()); });
+  const auto reference = moveToOrigin(file.scans, options.geo, 0);
   noEffect.warn();
   requireStructure(settings);
   ScanInserter inserter(settings);
@@ -189,10 +196,11 @@ int insert(const InsertOptions& options)
   refuseCeilings(inserter.figures(), name);
   const Result map = resultOf(inserter, name);
   warnOfSkips(inserter.figures());
-  job.write(options.outputDir, [&](files::OutputDir& out) { writeOutputs(map, inserter, out); });
+  job.write(options.outputDir,
+            [&](files::OutputDir& out) { writeOutputs(map, inserter, reference, out); });
 
   const SummaryHead head{shownName(options.file), file.description, options.outputDir,
-                         map.occupancy.frame()};
+                         map.occupancy.frame(), reference};
   job.print(options.json ? jsonSummary(head, map, inserter, job.seconds())
                          : textSummary(head, map, inserter, job.seconds()));
   return 0;
@@ -238,6 +246,7 @@ std::pair<CLI::App*, Command> addInsert(CLI::App& app)
       ->type_name("FILE.ini");
   addMethodOptions(*sub, options->flags);
   addPoseOptions(*sub, options->log);
+  addGeoOptions(*sub, options->geo);
   sub->footer(
       "Example:\n"
       "  mapconv insert office.rawlog -o map --structure 2.2 2.6\n"

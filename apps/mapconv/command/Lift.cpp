@@ -40,7 +40,7 @@ path::LiftedPath lifted(const std::vector<mrpt::math::TPoint2D>& path2D, const M
   }
   catch (const std::invalid_argument& error)
   {
-    throw std::runtime_error(file + ": " + error.what());
+    throw std::runtime_error(file + ": " + error.what() + originText(map.reference()));
   }
 }
 
@@ -56,13 +56,15 @@ void checkPath(const path::LiftedPath& path, const MapFolder& map, const path::L
                       [](const auto& point) { return point.problem != path::Infeasibility::None; });
     throw std::runtime_error(file + ": " + path.describeProblem(*problem) + " (" +
                              std::to_string(bad) + " of " + std::to_string(path.points.size()) +
-                             " points cannot be reached; nothing written)");
+                             " points cannot be reached; nothing written)" +
+                             originText(map.reference()));
   }
   const auto problems =
       path::PieceCheck(map.layers(), map.params(), params, map.voxels()).problems(path);
   if (!problems.empty())
     throw std::runtime_error(file + ": point " + std::to_string(problems.front().index) + " " +
-                             problems.front().inWords() + " (nothing written)");
+                             problems.front().inWords() + " (nothing written)" +
+                             originText(map.reference()));
 }
 
 int lift(const LiftOptions& options)
@@ -72,14 +74,15 @@ int lift(const LiftOptions& options)
   if (std::filesystem::equivalent(options.pathFile, options.outputFile, ignored))
     throw UsageError("-o " + options.outputFile + " is the path that is to be lifted");
   ResultOutput result;
-  const auto path2D = readPath2D(options.pathFile);
+  auto path2D = readPath2D(options.pathFile);
   const MapFolder map(options.dir);
+  for (auto& point : path2D) point -= {map.reference().origin.x, map.reference().origin.y};
   const auto params =
       liftParamsOf(options, map, std::min(kSafetyRadius, map.params().minClearance / 2));
   const auto path = lifted(path2D, map, params, shownName(options.pathFile));
   checkPath(path, map, params, shownName(options.pathFile));
   files::AtomicFile file(options.outputFile);
-  files::writeFile(file.stagingPath(), pathCsv(path));
+  files::writeFile(file.stagingPath(), pathCsv(path, map.reference().origin));
   file.commit();
   JsonObject json = pathJson(path);
   result.print(options.json

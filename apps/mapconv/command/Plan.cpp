@@ -51,7 +51,7 @@ void writeOutputs(const PlanOptions& options, const MapFolder& map, const planni
   picture.title = "Path of the " + options.robot + " robot";
   const grid::PicturePath path{flat(way.path),
                                "path, " + pathLengths(way.path) + ", from the ring to the disc"};
-  files::writeFile(out.path(file.filename().string()), pathCsv(way.path));
+  files::writeFile(out.path(file.filename().string()), pathCsv(way.path, map.reference().origin));
   grid::writeLayerPng(out.path(stem + ".png"), picture, path);
   writePathScene(out.path(stem + ".3Dscene"), map.layers(), picture, map.octree(), way.path);
 }
@@ -86,8 +86,9 @@ int plan(const PlanOptions& options)
   const MapFolder map =
       job.stage("load", "reading " + options.dir, [&] { return MapFolder(options.dir); });
   planning::RobotPathQuery query;
-  query.start = {options.from[0], options.from[1]};
-  query.goal = {options.to[0], options.to[1]};
+  const auto& origin = map.reference().origin;
+  query.start = {options.from[0] - origin.x, options.from[1] - origin.y};
+  query.goal = {options.to[0] - origin.x, options.to[1] - origin.y};
   query.robotRadius = options.robotRadius;
   query.lift = liftParamsOf(options, map, options.robotRadius);
   const auto way = job.stage(
@@ -98,7 +99,8 @@ int plan(const PlanOptions& options)
     job.progress().stage("trying what would help");
     throw std::runtime_error(
         options.dir + ": no path: " + way.problem +
-        remediesText(planning::findRemedies(map.layers(), map.params(), query, map.voxels())));
+        remediesText(planning::findRemedies(map.layers(), map.params(), query, map.voxels())) +
+        originText(map.reference()));
   }
   const std::string folder = std::filesystem::path(options.outputFile).parent_path().string();
   job.write(folder.empty() ? "." : folder,

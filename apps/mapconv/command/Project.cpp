@@ -43,13 +43,14 @@ InputRequest requestOf(const ProjectOptions& options, const IniOptions& ini)
   return request;
 }
 
-void writeOutputs(const grid::Layer<float>& layer, const ProjectOptions& options,
-                  files::OutputDir& out)
+void writeOutputs(const grid::Layer<float>& layer, const grid::GeoReference& reference,
+                  const ProjectOptions& options, files::OutputDir& out)
 {
   const std::string title = "Occupancy between z = " + jsonNumber(options.zMin) + " m and " +
                             jsonNumber(options.zMax) + " m";
   grid::ExportFormats formats{"projection.tif"};
   formats.pictures = formats.gridMaps = formats.rosMaps = true;
+  formats.reference = reference;
   grid::exportLayers(out, {{"projection", &layer, title, "", grid::LayerKind::Occupancy}}, formats);
 }
 
@@ -57,7 +58,7 @@ std::string summary(const ProjectOptions& options, const InputMap& input,
                     const grid::Layer<float>& layer, const Seconds& seconds)
 {
   const SummaryHead head{shownName(options.input.file), input.description(), options.outputDir,
-                         layer.frame()};
+                         layer.frame(), input.reference()};
   const OccupancyCounts counts = countsOf(layer);
   if (!options.json)
     return headText(head) + countsText("projection", counts) + secondsText(seconds);
@@ -89,7 +90,8 @@ int project(const ProjectOptions& options)
   if (countsOf(layer).free == 0 && reading.unknown == voxel::Unknown::Unknown &&
       !voxel::hasFreeVoxel(input.source()))
     printWarning(shownName(options.input.file) + ": " + kNoFreeVoxel);
-  job.write(options.outputDir, [&](files::OutputDir& out) { writeOutputs(layer, options, out); });
+  job.write(options.outputDir,
+            [&](files::OutputDir& out) { writeOutputs(layer, input.reference(), options, out); });
   job.print(summary(options, input, layer, job.seconds()));
   return 0;
 }

@@ -15,6 +15,7 @@
 
 #include "command/Command.h"
 #include "input/EachScan.h"
+#include "input/GeoOptions.h"
 #include "input/InputFile.h"
 #include "input/InputOptions.h"
 #include "input/ScanFile.h"
@@ -38,6 +39,7 @@ struct TerrainOptions
   std::string worldFile;  // empty: the truth is not known
   TerrainFlags flags;
   observation::RawlogOptions log;
+  GeoOptions geo;
   int threads = 0;
   bool json = false;
 };
@@ -85,11 +87,13 @@ void noteUnusedSigmas(const TerrainBuilder& builder, const std::string& file, No
     noEffect.add(builder.settings().poseSigmas, file + " has the covariance of each pose");
 }
 
-void writeOutputs(const TerrainResult& result, files::OutputDir& out, Progress& progress)
+void writeOutputs(const TerrainResult& result, const grid::GeoReference& reference,
+                  files::OutputDir& out, Progress& progress)
 {
   const terrain::TerrainMap& map = result.builder.map();
   grid::ExportFormats formats{"layers.tif"};
   formats.pictures = formats.gridMaps = formats.rosMaps = true;
+  formats.reference = reference;
   writeTerrainScene(out.path("map.3Dscene"), map, result.layers);
   if (result.steps) files::writeFile(out.path("true_steps.csv"), stepMatchesCsv(*result.steps));
   terrain::exportTerrain(out, map, result.layers, formats,
@@ -166,8 +170,9 @@ int mapTerrain(const TerrainOptions& options)
 
   const std::vector<eval::TrueStep> truth = trueStepsOf(options.worldFile, settings);
 
-  const ScanFile file = job.stage(
+  ScanFile file = job.stage(
       "load", [&] { return read3DScans(options.file, options.log, noEffect, job.progress()); });
+  const auto reference = moveToOrigin(file.scans, options.geo, 0);
   const std::string name = shownName(options.file);
   TerrainBuilder builder(settings);
   job.stage("insert", "inserting the scans of " + name,
@@ -184,9 +189,10 @@ int mapTerrain(const TerrainOptions& options)
   TerrainResult result{builder, job.stage("layers", [&] { return builder.map().layers(); }), {}};
   if (!options.worldFile.empty()) result.steps = eval::matchSteps(truth, builder.map());
   job.write(options.outputDir,
-            [&](files::OutputDir& out) { writeOutputs(result, out, job.progress()); });
+            [&](files::OutputDir& out) { writeOutputs(result, reference, out, job.progress()); });
 
-  const SummaryHead head{name, file.description, options.outputDir, result.layers.height.frame()};
+  const SummaryHead head{name, file.description, options.outputDir, result.layers.height.frame(),
+                         reference};
   job.print(options.json ? jsonSummary(head, result, job.seconds())
                          : textSummary(head, result, job.seconds()));
   return 0;
@@ -214,6 +220,7 @@ std::pair<CLI::App*, Command> addTerrain(CLI::App& app)
                   "true ones")
       ->type_name("WORLD.ini");
   addPoseOptions(*sub, options->log);
+  addGeoOptions(*sub, options->geo);
   addThreadsOption(*sub, options->threads);
   sub->footer(
       "Example:\n"

@@ -36,15 +36,22 @@ void noteScanOptions(const InputRequest& request, double resolution, NoEffect& n
     noEffect.add({"--resolution " + jsonNumber(*request.resolution)},
                  shownName(request.file) + " has voxels of " + jsonNumber(resolution) + " m");
   noteRawlogOptions(request.log, shownName(request.file), noEffect);
+  noteOrigin(request.geo, shownName(request.file) + " holds voxels in a frame of their own",
+             noEffect);
   auto keys = request.insertionKeys;
   keys.erase(std::remove(keys.begin(), keys.end(), kThreshold), keys.end());
   noEffect.addKeys(keys, request.iniFile, shownName(request.file) + " holds voxels and no scans");
 }
 
+double resolutionOf(const InputRequest& request)
+{
+  return request.resolution.value_or(voxel::VoxelMapParams().resolution);
+}
+
 voxel::VoxelMap buildMap(const std::vector<observation::PosedObservation>& scans,
                          const InputRequest& request, Progress& progress)
 {
-  voxel::VoxelMap map(request.resolution.value_or(voxel::VoxelMapParams().resolution));
+  voxel::VoxelMap map(resolutionOf(request));
   const ConsoleLog log;
   observation::SayOnceLog warnings(&log);
   try
@@ -75,7 +82,8 @@ void checkDimensions(const std::vector<observation::PosedObservation>& scans,
 }
 }  // namespace
 
-InputMap::InputMap(const InputRequest& request, Progress& progress) : m_noEffect(request.noEffect)
+InputMap::InputMap(const InputRequest& request, Progress& progress)
+    : m_noEffect(request.noEffect), m_reference{{}, request.geo.coordinateSystem}
 {
   read(request, progress);
   m_noEffect.warn();
@@ -165,7 +173,8 @@ void InputMap::readObject(files::ObjectFile& file, const InputRequest& request, 
 void InputMap::buildFromScans(files::ObjectFile& log, LogKind kind, const InputRequest& request,
                               Progress& progress)
 {
-  const ScanFile file = readScans(log, kind, request.log, m_noEffect);
+  ScanFile file = readScans(log, kind, request.log, m_noEffect);
+  m_reference = moveToOrigin(file.scans, request.geo, resolutionOf(request));
   checkDimensions(file.scans, log.path(), request);
   if (request.insertion.voxelEngine == voxel::VoxelEngine::Octomap && request.insertion.maxMemory)
     m_noEffect.addKeys({"maxMemory"}, request.iniFile, "voxelEngine is octomap");

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "input/GeoOptions.h"
 #include "input/NoEffect.h"
 #include "input/ScanFile.h"
 #include "output/Progress.h"
@@ -31,6 +32,7 @@ struct InputRequest
   std::optional<double> resolution;              //!< of a voxel map that is built from scans [m]
   int threads = 0;                               //!< that build it; 0: all cores
   mrpt_mapconv::observation::RawlogOptions log;  //!< where the poses of a rawlog come from
+  GeoOptions geo;                                //!< where the map lies
   mrpt_mapconv::voxel::TVoxelInsertionOptions insertion;  //!< how scans are inserted
   std::vector<std::string> insertionKeys;  //!< of `insertion`, those that iniFile changes
   NoEffect noEffect;                       //!< what else was asked for in vain
@@ -49,6 +51,8 @@ class InputMap
   const mrpt_mapconv::voxel::VoxelSource& source() const { return *m_source; }
   /** Writes the voxels as a `.bt` file, see voxel::writeOctreeFile(). */
   void writeOctree(const std::string& path) const;
+  /** Where its frame lies. */
+  const mrpt_mapconv::grid::GeoReference& reference() const { return m_reference; }
   /** What it was made of, e.g. "OctoMap file (OcTree)". */
   const std::string& description() const { return m_description; }
 
@@ -69,6 +73,7 @@ class InputMap
   mrpt::serialization::CSerializable::Ptr m_object;
   const octomap::AbstractOccupancyOcTree* m_tree = nullptr;
   std::unique_ptr<mrpt_mapconv::voxel::VoxelSource> m_source;
+  mrpt_mapconv::grid::GeoReference m_reference;
   std::string m_description;
 };
 

@@ -100,6 +100,7 @@ void addInputOptions(CLI::App& app, InputOptions& options)
       ->check(isPositive())
       ->type_name("M");
   addPoseOptions(app, options.input.log);
+  addGeoOptions(app, options.input.geo);
   addThreadsOption(app, options.threads);
 }
 

@@ -26,6 +26,8 @@ class MapFolder
 
   const mrpt_mapconv::freespace::Layers& layers() const { return m_file.layers; }
   const mrpt_mapconv::freespace::ConversionParams& params() const { return m_file.params; }
+  /** Where the layers' frame lies: users speak of coordinates with its origin. */
+  const mrpt_mapconv::grid::GeoReference& reference() const { return m_file.reference; }
   /** The voxel map that the layers were made of; null if the folder has none any more. */
   const mrpt_mapconv::voxel::VoxelSource* voxels() const { return m_source.get(); }
   const octomap::AbstractOcTree* octree() const { return m_tree.get(); }
@@ -35,5 +37,8 @@ class MapFolder
   std::unique_ptr<octomap::AbstractOcTree> m_tree;
   std::unique_ptr<mrpt_mapconv::voxel::VoxelSource> m_source;
 };
+
+/** What messages add that tell places of a map with an origin; empty for others. */
+std::string originText(const mrpt_mapconv::grid::GeoReference& reference);
 
 }  // namespace mapconv

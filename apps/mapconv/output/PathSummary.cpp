@@ -32,12 +32,13 @@ PathFigures figuresOf(const path::LiftedPath& path)
 }
 }  // namespace
 
-std::string pathCsv(const path::LiftedPath& path)
+std::string pathCsv(const path::LiftedPath& path, const mrpt::math::TPoint3D& origin)
 {
   std::string text = "x,y,z\n";
   for (const auto& point : path.points)
-    text += jsonNumber(point.position.x) + "," + jsonNumber(point.position.y) + "," +
-            jsonNumber(point.position.z) + "\n";
+    text += jsonNumber(point.position.x + origin.x) + "," +
+            jsonNumber(point.position.y + origin.y) + "," +
+            jsonNumber(point.position.z + origin.z) + "\n";
   return text;
 }
 

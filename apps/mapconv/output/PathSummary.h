@@ -8,8 +8,9 @@
 
 namespace mapconv
 {
-/** A path as a CSV file with the header x,y,z and a point a line [m]. */
-std::string pathCsv(const mrpt_mapconv::path::LiftedPath& path);
+/** A path as a CSV file with the header x,y,z and a point a line [m].
+ * \param origin of the path's coordinates, which is added */
+std::string pathCsv(const mrpt_mapconv::path::LiftedPath& path, const mrpt::math::TPoint3D& origin);
 
 /** How long a path is in 3D, and in 2D by that name. */
 std::string pathLengths(const mrpt_mapconv::path::LiftedPath& path);

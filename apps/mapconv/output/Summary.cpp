@@ -22,12 +22,19 @@ OccupancyCounts countsOf(const grid::Layer<float>& occupancy)
 std::string headText(const SummaryHead& head)
 {
   const GridFrame& frame = head.frame;
+  const auto& origin = head.reference.origin;
   std::string text = fromTo(head.input + ", " + head.inputKind, head.outputDir);
   text += mrpt::format("cells        %zu (%d x %d) of %s m\n", frame.size(), frame.width,
                        frame.height, jsonNumber(frame.resolution).c_str());
   text += mrpt::format("size         %.2f x %.2f m: x %.2f to %.2f, y %.2f to %.2f\n",
-                       frame.xMax() - frame.xMin(), frame.yMax() - frame.yMin(), frame.xMin(),
-                       frame.xMax(), frame.yMin(), frame.yMax());
+                       frame.xMax() - frame.xMin(), frame.yMax() - frame.yMin(),
+                       frame.xMin() + origin.x, frame.xMax() + origin.x, frame.yMin() + origin.y,
+                       frame.yMax() + origin.y);
+  if (!head.reference.isLocal())
+    text += mrpt::format(
+        "origin       %s, %s, %s m, taken off in pictures, scenes, gridmaps and "
+        "voxels.bt\n",
+        jsonNumber(origin.x).c_str(), jsonNumber(origin.y).c_str(), jsonNumber(origin.z).c_str());
   return text;
 }
 
@@ -60,8 +67,12 @@ JsonObject summaryJson(const SummaryHead& head, const OccupancyCounts& counts)
   JsonObject json;
   json.add("input", head.input).add("inputKind", head.inputKind).add("output", head.outputDir);
   json.add("resolution", frame.resolution).add("width", frame.width).add("height", frame.height);
-  json.add("xMin", frame.xMin()).add("xMax", frame.xMax());
-  json.add("yMin", frame.yMin()).add("yMax", frame.yMax());
+  const auto& origin = head.reference.origin;
+  json.add("xMin", frame.xMin() + origin.x).add("xMax", frame.xMax() + origin.x);
+  json.add("yMin", frame.yMin() + origin.y).add("yMax", frame.yMax() + origin.y);
+  if (!head.reference.isLocal())
+    json.add("originX", origin.x).add("originY", origin.y).add("originZ", origin.z);
+  if (!head.reference.coordinateSystem.empty()) json.add("crs", head.reference.coordinateSystem);
   json.add("cells", frame.size());
   json.add("free", counts.free).add("occupied", counts.occupied).add("unknown", counts.unknown);
   return json;

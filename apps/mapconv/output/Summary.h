@@ -1,5 +1,6 @@
 #pragma once
 
+#include <mrpt_mapconv/grid/GeoReference.h>
 #include <mrpt_mapconv/grid/Layer.h>
 
 #include <string>
@@ -22,6 +23,7 @@ struct SummaryHead
 {
   std::string input, inputKind, outputDir;
   mrpt_mapconv::grid::GridFrame frame;
+  mrpt_mapconv::grid::GeoReference reference = {};
 };
 
 /** The first lines of a summary. */

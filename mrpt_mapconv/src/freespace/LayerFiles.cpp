@@ -64,6 +64,7 @@ LayersFile readLayersTiff(const std::string& path)
   LayersFile file;
   const grid::Metadata items = grid::readGeoTiffMetadata(path);
   file.params = paramsFrom(items, path);
+  file.reference = grid::readGeoReference(path);
   const bool hasGround = items.count("floorFrom") != 0;
   for (const auto& entry : Layers::list())
     if (hasGround || !entry.isOfGround())

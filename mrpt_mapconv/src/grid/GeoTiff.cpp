@@ -2,7 +2,10 @@
 #include <gdal_priv.h>
 #include <mrpt_mapconv/files/FileIo.h>
 #include <mrpt_mapconv/grid/GeoTiff.h>
+#include <mrpt_mapconv/params/Text.h>
+#include <ogr_spatialref.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -51,10 +54,32 @@ Dataset createDataset(const std::string& path, const GridFrame& frame, std::size
                                 GDT_Float32, options.List()));
 }
 
-bool writeHeader(GDALDataset& dataset, const GridFrame& frame, const Metadata& metadata)
+constexpr std::array<const char*, 3> kOriginItems{"originX", "originY", "originZ"};
+
+bool writeReference(GDALDataset& dataset, const GeoReference& reference)
 {
-  double transform[6] = {frame.xMin(), frame.resolution, 0, frame.yMax(), 0, -frame.resolution};
+  if (!reference.isLocal())
+    for (std::size_t i = 0; i < kOriginItems.size(); ++i)
+      if (dataset.SetMetadataItem(kOriginItems[i],
+                                  params::shortestText(reference.origin[i]).c_str()) != CE_None)
+        return false;
+  if (reference.coordinateSystem.empty()) return true;
+  OGRSpatialReference system;
+  return system.SetFromUserInput(reference.coordinateSystem.c_str()) == OGRERR_NONE &&
+         dataset.SetSpatialRef(&system) == CE_None;
+}
+
+bool writeHeader(GDALDataset& dataset, const GridFrame& frame, const Metadata& metadata,
+                 const GeoReference& reference)
+{
+  double transform[6] = {frame.xMin() + reference.origin.x,
+                         frame.resolution,
+                         0,
+                         frame.yMax() + reference.origin.y,
+                         0,
+                         -frame.resolution};
   if (dataset.SetGeoTransform(transform) != CE_None) return false;
+  if (!writeReference(dataset, reference)) return false;
   for (const auto& [name, value] : metadata)
     if (dataset.SetMetadataItem(name.c_str(), value.c_str()) != CE_None) return false;
   return true;
@@ -70,10 +95,13 @@ Dataset openDataset(const std::string& path, const GdalErrors& errors)
   return dataset;
 }
 
-bool writeBand(GDALRasterBand& target, const StyledLayer& band)
+bool writeBand(GDALRasterBand& target, const StyledLayer& band, double heightOrigin)
 {
   target.SetDescription(band.name.c_str());
   if (target.SetNoDataValue(kNoData) != CE_None) return false;
+  if (heightOrigin != 0 && band.kind == LayerKind::Height &&
+      target.SetOffset(heightOrigin) != CE_None)
+    return false;
   const GridFrame& frame = band.layer->frame();
   std::vector<float> row(static_cast<std::size_t>(frame.width));  // GDAL asks for mutable memory
   for (int line = 0; line < frame.height; ++line)
@@ -108,11 +136,38 @@ std::optional<std::int32_t> keyAt(double metres, double resolution)
   return static_cast<std::int32_t>(key);
 }
 
+GeoReference referenceOf(GDALDataset& dataset, const std::string& path)
+{
+  GeoReference reference;
+  for (std::size_t i = 0; i < kOriginItems.size(); ++i)
+    if (const char* text = dataset.GetMetadataItem(kOriginItems[i]))
+      if (!params::readNumber(text, reference.origin[i]))
+        throw std::runtime_error("cannot read '" + path + "': its " + kOriginItems[i] + " is '" +
+                                 text + "', which is no number");
+  if (const auto* system = dataset.GetSpatialRef())
+  {
+    const char *authority = system->GetAuthorityName(nullptr),
+               *code = system->GetAuthorityCode(nullptr);
+    if (authority && code)
+      reference.coordinateSystem = std::string(authority) + ":" + code;
+    else
+    {
+      char* wkt = nullptr;
+      if (system->exportToWkt(&wkt) == OGRERR_NONE) reference.coordinateSystem = wkt;
+      CPLFree(wkt);
+    }
+  }
+  return reference;
+}
+
 GridFrame readFrame(GDALDataset& dataset, const std::string& path)
 {
   double t[6];
   if (dataset.GetGeoTransform(t) != CE_None)
     throw std::runtime_error("cannot read '" + path + "': it has no geotransform");
+  const auto origin = referenceOf(dataset, path).origin;
+  t[0] -= origin.x;
+  t[3] -= origin.y;
   if (!(t[1] > 0) || t[2] != 0 || t[4] != 0 || std::abs(t[5] + t[1]) > 1e-9 * t[1])
     throw std::runtime_error("cannot read '" + path +
                              "': its cells must be square and north up, not rotated");
@@ -137,8 +192,17 @@ void clearNoData(Layer<float>& layer, GDALRasterBand& band)
 }
 }  // namespace
 
+void requireCoordinateSystem(const std::string& coordinateSystem)
+{
+  OGRSpatialReference system;
+  const GdalErrors errors;
+  if (!coordinateSystem.empty() && system.SetFromUserInput(coordinateSystem.c_str()) != OGRERR_NONE)
+    throw std::runtime_error("'" + coordinateSystem +
+                             "' is no coordinate system that is known; EPSG:32633, say, would be");
+}
+
 void writeGeoTiff(const std::string& path, const std::vector<StyledLayer>& bands,
-                  const Metadata& metadata)
+                  const Metadata& metadata, const GeoReference& reference)
 {
   checkBands(path, bands);
   const GridFrame& frame = bands.front().layer->frame();
@@ -146,12 +210,19 @@ void writeGeoTiff(const std::string& path, const std::vector<StyledLayer>& bands
   files::writeFile(path, {});  // gives the system's own reason where GDAL only says that it failed
   const GdalErrors errors;
   Dataset dataset = createDataset(path, frame, bands.size());
-  bool written = dataset && writeHeader(*dataset, frame, metadata);
+  bool written = dataset && writeHeader(*dataset, frame, metadata, reference);
   for (std::size_t i = 0; written && i < bands.size(); ++i)
-    written = writeBand(*dataset->GetRasterBand(static_cast<int>(i) + 1), bands[i]);
+    written =
+        writeBand(*dataset->GetRasterBand(static_cast<int>(i) + 1), bands[i], reference.origin.z);
   if (dataset) dataset->FlushCache();
   dataset.reset();
   if (!written || errors.any()) files::throwUnwritten(path, errors.first());
+}
+
+GeoReference readGeoReference(const std::string& path)
+{
+  const GdalErrors errors;
+  return referenceOf(*openDataset(path, errors), path);
 }
 
 Layer<float> readGeoTiffBand(const std::string& path, const std::string& bandName)

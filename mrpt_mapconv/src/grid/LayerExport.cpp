@@ -12,7 +12,8 @@ void exportLayers(files::OutputDir& out, const std::vector<StyledLayer>& layers,
   std::vector<std::function<void()>> jobs;
   const GridFrame shown = formats.pictures && !layers.empty() ? shownFrame(layers) : GridFrame();
   if (!formats.tiff.empty())
-    jobs.emplace_back([&] { writeGeoTiff(out.path(formats.tiff), layers, formats.metadata); });
+    jobs.emplace_back(
+        [&] { writeGeoTiff(out.path(formats.tiff), layers, formats.metadata, formats.reference); });
   for (const StyledLayer& layer : layers)
   {
     const std::string name = formats.prefix + layer.name;
@@ -23,9 +24,10 @@ void exportLayers(files::OutputDir& out, const std::vector<StyledLayer>& layers,
       jobs.emplace_back([=, &out] { writeGridMap(out.path(name + ".gridmap"), *layer.layer); });
     if (formats.rosMaps)
       jobs.emplace_back(
-          [=, &out] {
+          [=, &out, &formats]
+          {
             writeRosMap(out.path(name + ".pgm"), out.path(name + ".yaml"), name + ".pgm",
-                        *layer.layer);
+                        *layer.layer, formats.reference);
           });
   }
   for (std::size_t i = 0; i < jobs.size(); ++i)

@@ -46,7 +46,8 @@ std::string yamlString(const std::string& text)
   return out + '"';
 }
 
-std::string yaml(const std::string& imageName, const GridFrame& frame)
+std::string yaml(const std::string& imageName, const GridFrame& frame,
+                 const mrpt::math::TPoint3D& origin)
 {
   return "image: " + yamlString(imageName) +
          "\n"
@@ -55,7 +56,7 @@ std::string yaml(const std::string& imageName, const GridFrame& frame)
          exact(frame.resolution) +
          "\n"
          "origin: [" +
-         exact(frame.xMin()) + ", " + exact(frame.yMin()) +
+         exact(frame.xMin() + origin.x) + ", " + exact(frame.yMin() + origin.y) +
          ", 0]\n"
          "negate: 0\n"
          "occupied_thresh: 0.65\n"
@@ -64,12 +65,13 @@ std::string yaml(const std::string& imageName, const GridFrame& frame)
 }  // namespace
 
 void writeRosMap(const std::string& pgmPath, const std::string& yamlPath,
-                 const std::string& imageName, const Layer<float>& occupancy)
+                 const std::string& imageName, const Layer<float>& occupancy,
+                 const GeoReference& reference)
 {
   if (occupancy.frame().empty())
     throw std::invalid_argument("ROS map '" + yamlPath + "': the layer has no cells");
   files::writeFile(pgmPath, pgm(occupancy));
-  files::writeFile(yamlPath, yaml(imageName, occupancy.frame()));
+  files::writeFile(yamlPath, yaml(imageName, occupancy.frame(), reference.origin));
 }
 
 }  // namespace mrpt_mapconv::grid

@@ -20,6 +20,7 @@ struct LayersFile
 {
   freespace::Layers layers;
   freespace::ConversionParams params;
+  grid::GeoReference reference = {};  //!< where the layers' frame lies
 };
 
 /** Reads what writeLayersTiff() wrote.

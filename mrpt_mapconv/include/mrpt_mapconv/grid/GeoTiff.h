@@ -1,5 +1,6 @@
 #pragma once
 
+#include <mrpt_mapconv/grid/GeoReference.h>
 #include <mrpt_mapconv/grid/StyledLayer.h>
 #include <mrpt_mapconv/params/Fields.h>
 
@@ -25,19 +26,25 @@ Metadata metadataOf(const Params& params)
 /** Writes layers as the bands of one Float32 GeoTIFF, in their order, described by their names.
  *
  * North is up (the first raster row is the highest y), the geotransform is exactly
- * {xMin, resolution, 0, yMax, 0, −resolution} in metres, NaN means no data. There is no
- * projection: the map frame is a local one. An error can leave an unfinished file behind; write
- * into files::OutputDir::path().
+ * {xMin, resolution, 0, yMax, 0, −resolution} in metres, NaN means no data. Where the map's frame
+ * is a local one, its origin is added to xMin and yMax and kept as metadata (`originX`, …), and is
+ * the offset of bands of heights in z; the coordinate system is written, if it is known. An error
+ * can leave an unfinished file behind; write into files::OutputDir::path().
  *
  * \param bands at least one; all on the same frame, which must not be empty
  * \param metadata kept in the file, for readGeoTiffMetadata() and `gdalinfo`
  * \exception std::invalid_argument if they are not
  * \exception std::runtime_error naming the file and GDAL's reason, also if the disk is full */
 void writeGeoTiff(const std::string& path, const std::vector<StyledLayer>& bands,
-                  const Metadata& metadata = {});
+                  const Metadata& metadata = {}, const GeoReference& reference = {});
 
-/** Reads one band of a GeoTIFF of square, north-up cells whose edges or centres lie on
- * multiples of their size, as writeGeoTiff() writes it. Cells without data become NaN.
+/** Where writeGeoTiff() was told that the map lies; of other files, that their frame is their own.
+ * \exception std::runtime_error naming the file and the reason if it cannot be read */
+GeoReference readGeoReference(const std::string& path);
+
+/** Reads one band of a GeoTIFF, in the local frame of readGeoReference(), of square, north-up cells
+ * whose edges or centres lie on multiples of their size, as writeGeoTiff() writes it. Cells without
+ * data become NaN.
  *
  * \param bandName description of the band
  * \exception std::runtime_error naming the file and the reason: it cannot be read, has no such band

@@ -13,12 +13,13 @@ namespace mrpt_mapconv::grid
 /** Which files exportLayers() writes. */
 struct ExportFormats
 {
-  std::string tiff = {};    //!< name of one GeoTIFF with all layers; empty: none
-  Metadata metadata = {};   //!< of the GeoTIFF
-  std::string prefix = {};  //!< what the names of the layers' own files begin with
-  bool pictures = false;    //!< PREFIX<layer>.png of each layer, of what is known in any
-  bool gridMaps = false;    //!< PREFIX<layer>.gridmap of each occupancy layer, for MRPT
-  bool rosMaps = false;     //!< PREFIX<layer>.pgm and .yaml of each occupancy layer, for ROS
+  std::string tiff = {};        //!< name of one GeoTIFF with all layers; empty: none
+  Metadata metadata = {};       //!< of the GeoTIFF
+  std::string prefix = {};      //!< what the names of the layers' own files begin with
+  bool pictures = false;        //!< PREFIX<layer>.png of each layer, of what is known in any
+  bool gridMaps = false;        //!< PREFIX<layer>.gridmap of each occupancy layer, for MRPT
+  bool rosMaps = false;         //!< PREFIX<layer>.pgm and .yaml of each occupancy layer, for ROS
+  GeoReference reference = {};  //!< of GeoTIFF and ROS maps; gridmaps stay local
 };
 
 /** Writes layers in the formats that others read: writeGeoTiff(), writeLayerPng(), writeGridMap()

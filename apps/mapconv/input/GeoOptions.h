@@ -1,0 +1,34 @@
+#pragma once
+
+#include <mrpt_mapconv/grid/GeoReference.h>
+#include <mrpt_mapconv/observation/ScanLog.h>
+
+#include <CLI/App.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "input/NoEffect.h"
+
+namespace mapconv
+{
+/** Where a map is said to lie. */
+struct GeoOptions
+{
+  std::optional<mrpt::math::TPoint3D> origin;  //!< what is taken off coordinates; none: by itself
+  std::string coordinateSystem;                //!< of the input's coordinates; empty: not known
+};
+
+/** The options for it: --origin and --crs. */
+void addGeoOptions(CLI::App& app, GeoOptions& options);
+
+/** Notes --origin for an input that is in a frame of its own. */
+void noteOrigin(const GeoOptions& options, const std::string& why, NoEffect& noEffect);
+
+/** Takes off the poses of scans what was asked for, or what they need for a map near by.
+ * \param resolution of the voxel map [m]; 0: none */
+mrpt_mapconv::grid::GeoReference moveToOrigin(
+    std::vector<mrpt_mapconv::observation::PosedObservation>& scans, const GeoOptions& options,
+    double resolution);
+
+}  // namespace mapconv
