@@ -97,6 +97,42 @@ TEST(GeoTiff, gdalReadsWhatWasWritten)
   GDALClose(file);
 }
 
+TEST(GeoTiff, aLocalFrameKeepsItsOrigin)
+{
+  const TempDir dir;
+  const GridFrame frame{0.07, -31, 17, 5, 3};
+  const Layer<float> floor = numbered(frame), aerial(frame, 0);
+  const GeoReference reference{{448258, 5411929, 200}, "EPSG:32633"};
+  writeGeoTiff(dir.path("x.tif"),
+               {{"floor", &floor}, {"aerial", &aerial, "", "", LayerKind::Occupancy}}, {},
+               reference);
+  EXPECT_TRUE(readGeoReference(dir.path("x.tif")) == reference);
+  const auto read = readGeoTiffBand(dir.path("x.tif"), "floor");
+  EXPECT_EQ(read.frame(), frame);
+  EXPECT_EQ(read.at(1, 1), floor.at(1, 1));
+
+  GDALAllRegister();
+  GDALDatasetH file = GDALOpen(dir.path("x.tif").c_str(), GA_ReadOnly);
+  ASSERT_NE(file, nullptr);
+  double t[6];
+  ASSERT_EQ(GDALGetGeoTransform(file, t), CE_None);
+  EXPECT_EQ(t[0], frame.xMin() + 448258);
+  EXPECT_EQ(t[3], frame.yMax() + 5411929);
+  EXPECT_NE(std::string(GDALGetProjectionRef(file)).find("UTM zone 33N"), std::string::npos);
+  int has = 0;
+  EXPECT_EQ(GDALGetRasterOffset(GDALGetRasterBand(file, 1), &has), 200) << "heights";
+  EXPECT_EQ(GDALGetRasterOffset(GDALGetRasterBand(file, 2), &has), 0);
+  GDALClose(file);
+}
+
+TEST(GeoTiff, unknownCoordinateSystemsAreRefused)
+{
+  EXPECT_NO_THROW(requireCoordinateSystem(""));
+  EXPECT_NO_THROW(requireCoordinateSystem("EPSG:4326"));
+  EXPECT_THROW(requireCoordinateSystem("EPSG:1"), std::runtime_error);
+  EXPECT_THROW(requireCoordinateSystem("nowhere"), std::runtime_error);
+}
+
 TEST(GeoTiff, readsBackTheSameLayer)
 {
   const TempDir dir;

@@ -3,6 +3,8 @@
 #include <mrpt_mapconv/grid/RosMap.h>
 
 #include <cstdlib>
+#include <fstream>
+#include <iterator>
 #include <limits>
 #include <tuple>
 #include <vector>
@@ -45,6 +47,17 @@ TEST(RosMap, bytesByHand)
   EXPECT_EQ(readBytes(dir.path("map.yaml")),
             "image: map.pgm\nmode: trinary\nresolution: 0.5\norigin: [-2, 1, 0]\nnegate: 0\n"
             "occupied_thresh: 0.65\nfree_thresh: 0.196\n");
+}
+
+TEST(RosMap, theOriginOfALocalFrameIsAdded)
+{
+  const TempDir dir;
+  Layer<float> layer({0.5, -3, 2, 2, 2}, 0);
+  writeRosMap(dir.path("m.pgm"), dir.path("m.yaml"), "m.pgm", layer,
+              {{448258, 5411929, 200}, "EPSG:32633"});
+  std::ifstream file(dir.path("m.yaml"));
+  const std::string text{std::istreambuf_iterator<char>(file), {}};
+  EXPECT_NE(text.find("origin: [448256.5, 5411930, 0]"), std::string::npos) << text;
 }
 
 TEST(RosMap, numbersRoundTrip)

@@ -1,0 +1,107 @@
+#include <gtest/gtest.h>
+#include <mrpt_mapconv/observation/TrajectoryFile.h>
+
+#include <cmath>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+
+#include "support/TempDir.h"
+
+using namespace mrpt_mapconv;
+using observation::PoseTrack;
+using observation::timeStampOf;
+
+namespace
+{
+PoseTrack read(const std::string& text)
+{
+  const mrpt_mapconv::testing::TempDir dir;
+  std::ofstream(dir.path("way.txt")) << text;
+  return observation::readTrajectoryFile(dir.path("way.txt"));
+}
+
+std::string refusal(const std::string& text)
+{
+  try
+  {
+    read(text);
+  }
+  catch (const std::runtime_error& error)
+  {
+    return error.what();
+  }
+  return "";
+}
+
+mrpt::poses::CPose3D at(const PoseTrack& track, double seconds)
+{
+  const auto pose = track.at(timeStampOf(seconds));
+  EXPECT_TRUE(pose) << seconds;
+  return pose.value_or(mrpt::poses::CPose3D());
+}
+}  // namespace
+
+TEST(TrajectoryFile, SevenColumnsAreAsTheSimulatorWritesThem)
+{
+  const auto track = read("t,x,y,z,yaw,pitch,roll\n0,1,2,3,0.5,0,0\n1,3,2,3,0.5,0.1,0\n");
+  EXPECT_EQ(track.size(), 2u);
+  const auto middle = at(track, 0.5);
+  EXPECT_NEAR(middle.x(), 2, 1e-9);
+  EXPECT_NEAR(middle.yaw(), 0.5, 1e-9);
+  EXPECT_NEAR(middle.pitch(), 0.05, 1e-9);
+}
+
+TEST(TrajectoryFile, EightColumnsAreThoseOfTum)
+{
+  const double half = std::sqrt(0.5);  // a quarter turn about z
+  const auto track =
+      read("# timestamp tx ty tz qx qy qz qw\n1305031102.5 448258.25 5411929.5 7 0 0 " +
+           std::to_string(half) + " " + std::to_string(half) + "\n");
+  const auto pose = at(track, 1305031102.5);
+  EXPECT_NEAR(pose.x(), 448258.25, 1e-9);
+  EXPECT_NEAR(pose.y(), 5411929.5, 1e-9);
+  EXPECT_NEAR(pose.yaw(), M_PI / 2, 1e-5);
+}
+
+TEST(TrajectoryFile, TwentyEightColumnsHaveTheCovariance)
+{
+  std::string line = "5;0;0;0;0;0;0";
+  for (int row = 0; row < 6; ++row)
+    for (int column = row; column < 6; ++column)
+      line += ";" + std::to_string(row == column ? row + 1 : 10 * row + column);
+  const auto track = read(line + "\n");
+  const auto covariance = track.covarianceAt(timeStampOf(5));
+  ASSERT_TRUE(covariance);  // z, roll, pitch: rows 2, 5, 4
+  EXPECT_EQ((*covariance)(0, 0), 3);
+  EXPECT_EQ((*covariance)(1, 1), 6);
+  EXPECT_EQ((*covariance)(2, 2), 5);
+  EXPECT_EQ((*covariance)(0, 1), 25);
+  EXPECT_EQ((*covariance)(0, 2), 24);
+  EXPECT_EQ((*covariance)(1, 2), 45);
+}
+
+TEST(TrajectoryFile, LinesMayComeInAnyOrder)
+{
+  const auto track = read("1 1 0 0 0 0 0\n0 0 0 0 0 0 0\n0.5 8 0 0 0 0 0\n");
+  EXPECT_NEAR(at(track, 0.25).x(), 4, 1e-9);
+}
+
+TEST(TrajectoryFile, ABrokenLineIsNamedByItsNumber)
+{
+  const std::string good = "0 0 0 0 0 0 0\n";
+  for (const auto& [text, what] : {std::pair<std::string, std::string>{good + "1 2 3\n", "line 2"},
+                                   {good + "\n1 2 3 4 5 6 nan\n", "line 3"},
+                                   {good + "1 2 3 4 5 6 x\n", "no finite number"},
+                                   {good + "1 2 3 4 5 6 7 8\n", "8 columns"},
+                                   {"1 2 3 4 5 6 7 8\n", "quaternion"},
+                                   {"1 2 3 4 5 6 7 8 9\n", "9 columns"},
+                                   {"", "is empty"},
+                                   {"t x y\n", "no pose"}})
+  {
+    const auto message = refusal(text);
+    EXPECT_NE(message.find(what), std::string::npos) << message;
+    EXPECT_NE(message.find("way.txt"), std::string::npos) << message;
+    EXPECT_EQ(message.find('\n'), std::string::npos) << message;
+  }
+}
