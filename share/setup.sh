@@ -5,7 +5,7 @@ set -euo pipefail
 packages=(
   g++ cmake make git
   libmrpt-dev mrpt-apps mrpt-common
-  libeigen3-dev liboctomap-dev libgdal-dev libtbb-dev libembree-dev libcli11-dev zlib1g-dev
+  libeigen3-dev liboctomap-dev libgdal-dev libtbb-dev libembree-dev libcli11-dev zlib1g-dev liblzf-dev
   libgtest-dev libbenchmark-dev
   gnuplot-nox xvfb imagemagick
 )

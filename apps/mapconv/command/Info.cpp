@@ -1,3 +1,5 @@
+#include <mrpt_mapconv/cloud/CloudFile.h>
+
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <utility>
@@ -15,6 +17,7 @@ namespace
 struct InfoOptions
 {
   std::string file;
+  std::string columns;
   bool json = false;
 };
 
@@ -33,7 +36,9 @@ int info(const InfoOptions& options)
       report.json.add("bytes", *bytes);
       report.line("bytes", std::to_string(*bytes));
     }
-    if (isOctree(stream))
+    if (mrpt_mapconv::cloud::isCloud(stream))
+      describeCloudFile(stream, options.columns, report);
+    else if (isOctree(stream))
       describeOctreeFile(stream, report);
     else
       describeObjectFile(std::move(stream), report);
@@ -47,10 +52,15 @@ std::pair<CLI::App*, Command> addInfo(CLI::App& app)
 {
   CLI::App* sub = app.add_subcommand("info", "Says what a file holds");
   auto options = std::make_shared<InfoOptions>();
-  sub->add_option("FILE", options->file,
-                  std::string("an octree, rawlog, simplemap, gridmap or other MRPT map") + kOrStdin)
+  sub->add_option(
+         "FILE", options->file,
+         std::string("an octree, cloud of points, rawlog, simplemap, gridmap or other MRPT map") +
+             kOrStdin)
       ->required()
       ->type_name("");
+  sub->add_option("--columns", options->columns,
+                  "names of a text's columns, such as x,y,z,_,time, if it has no line of them")
+      ->type_name("NAMES");
   sub->add_flag("--json", options->json, "print one JSON object");
   sub->footer("Example:\n  mapconv info building.bt");
   return {sub, [options] { return info(*options); }};

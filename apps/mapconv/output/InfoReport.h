@@ -24,6 +24,9 @@ class InfoReport
 
 /** Describes an OctoMap file. */
 void describeOctreeFile(mrpt_mapconv::files::InputStream& stream, InfoReport& report);
+/** Describes a file of points. \param columns see cloud::CloudReading */
+void describeCloudFile(mrpt_mapconv::files::InputStream& stream, const std::string& columns,
+                       InfoReport& report);
 /** Describes a file of MRPT objects: rawlog, simplemap, or maps. */
 void describeObjectFile(mrpt_mapconv::files::InputStream stream, InfoReport& report);
 

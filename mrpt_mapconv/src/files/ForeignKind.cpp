@@ -1,3 +1,4 @@
+#include <mrpt_mapconv/files/CloudFormat.h>
 #include <mrpt_mapconv/files/FileIo.h>
 #include <mrpt_mapconv/files/ForeignKind.h>
 #include <mrpt_mapconv/files/InputStream.h>
@@ -5,6 +6,9 @@
 #include <algorithm>
 #include <cctype>
 #include <stdexcept>
+
+#include "OtherKind.h"
+#include "TextBytes.h"
 
 namespace mrpt_mapconv::files
 {
@@ -21,8 +25,13 @@ struct Kind
 
 // Remedies name programs that exist, with the package (of Debian, unless it says otherwise).
 constexpr auto kCloud =
-    "its points need the places they were seen from: of a text of points and sensor poses, as "
-    "CloudCompare or pcl-tools export points, log2graph and graph2tree (octomap-tools) make a .bt"sv;
+    "it does not say from where its points were seen: convert and terrain need --trajectory FILE "
+    "and times in it, info and ground do without"sv;
+constexpr auto kLaz =
+    "pdal (conda-forge) makes a .las of it: pdal translate IN.laz OUT.las; so does Python's "
+    "laspy[lazrs]"sv;
+constexpr auto kE57 = "Python's pye57 reads its points, which are read here as text (.xyz)"sv;
+constexpr auto kDamaged = "it is damaged, or of another kind than its name says"sv;
 constexpr auto kRos1 = "rosbag2rawlog (mrpt-apps) makes a .rawlog of it"sv;
 constexpr auto kRos2 =
     "rosbags-convert (Python package rosbags) makes a ROS 1 bag of it, and rosbag2rawlog "
@@ -42,10 +51,8 @@ constexpr auto kNoRemedy =
     "what is read are octomaps (.bt, .ot), .rawlog, .simplemap and serialized MRPT maps"sv;
 
 constexpr Kind kKinds[] = {
-    {0, "ply\n"sv, "a point cloud or mesh (.ply)"sv, kCloud},
-    {0, "ply\r"sv, "a point cloud or mesh (.ply)"sv, kCloud},
-    {0, "LASF"sv, "a point cloud of a laser scanner (.las, .laz)"sv, kCloud},
-    {0, "ASTM-E57"sv, "a point cloud (.e57)"sv, kCloud},
+    {0, "LASF"sv, "a packed point cloud of a laser scanner (.laz)"sv, kLaz},
+    {0, "ASTM-E57"sv, "a point cloud (.e57)"sv, kE57},
     {0, "#ROSBAG V"sv, "a bag of ROS 1"sv, kRos1},
     {0, "SQLite format 3\0"sv, "an SQLite database, as ROS 2 bags (.db3) are"sv, kRos2},
     {0, "\x89MCAP0\r\n"sv, "a bag of ROS 2 (.mcap)"sv, kRos2},
@@ -94,12 +101,12 @@ struct Name
   std::string_view ending, what, remedy;
 };
 
-constexpr Name kNames[] = {
-    {".pcd"sv, "a point cloud of PCL (.pcd)"sv, kCloud},
-    {".ply"sv, "a point cloud or mesh (.ply)"sv, kCloud},
-    {".las"sv, "a point cloud of a laser scanner (.las)"sv, kCloud},
-    {".laz"sv, "a point cloud of a laser scanner (.laz)"sv, kCloud},
-    {".e57"sv, "a point cloud (.e57)"sv, kCloud},
+const Name kNames[] = {
+    {".pcd"sv, whatIs(CloudFormat::Pcd), kDamaged},
+    {".ply"sv, whatIs(CloudFormat::Ply), kDamaged},
+    {".las"sv, whatIs(CloudFormat::Las), kDamaged},
+    {".laz"sv, "a packed point cloud of a laser scanner (.laz)"sv, kLaz},
+    {".e57"sv, "a point cloud (.e57)"sv, kE57},
     {".bag"sv, "a bag of ROS 1 (.bag)"sv, kRos1},
     {".db3"sv, "a bag of ROS 2 (.db3)"sv, kRos2},
     {".mcap"sv, "a bag of ROS 2 (.mcap)"sv, kRos2},
@@ -129,19 +136,6 @@ bool isNetpbm(std::string_view begin)
          isSpace(begin[2]);
 }
 
-bool hasLine(std::string_view text, std::string_view begin)
-{
-  return text.substr(0, begin.size()) == begin ||
-         text.find("\n" + std::string(begin)) != std::string_view::npos;
-}
-
-/** PCL's header, which may have other comments than PCL writes, and any line ends. */
-bool isPcd(std::string_view begin)
-{
-  const bool hasFields = hasLine(begin, "FIELDS ") || hasLine(begin, "COLUMNS ");
-  return begin.substr(0, 6) == "# .PCD" || (hasLine(begin, "VERSION ") && hasFields);
-}
-
 /** Windows' bitmaps: "BM", the file's size, and four bytes that are zero. */
 bool isBitmap(std::string_view begin)
 {
@@ -152,21 +146,6 @@ bool isBitmap(std::string_view begin)
 bool isStl(std::string_view begin)
 {
   return begin.substr(0, 6) == "solid " && begin.find("facet") != std::string_view::npos;
-}
-
-/** KITTI's scans are four floats a point and nothing else. */
-bool isKittiScan(const FileTraits& file)
-{
-  constexpr std::uintmax_t kPoint = 4 * sizeof(float);
-  return endingOf(file.name) == ".bin" && file.size.value_or(0) > 0 && *file.size % kPoint == 0;
-}
-
-bool isTextOfPoints(const FileTraits& file)
-{
-  const std::string ending = endingOf(file.name);
-  const auto endings = {".xyz", ".txt", ".asc", ".pts", ".ptx", ".csv"};
-  return std::find(endings.begin(), endings.end(), ending) != endings.end() &&
-         file.begin.find('\0') == std::string_view::npos;
 }
 
 std::string sentence(std::string_view what, std::string_view remedy)
@@ -183,8 +162,6 @@ std::string kindByName(const FileTraits& file)
     if (name.ending == ending)
       return sentence("by its name " + std::string(name.what) + ", but does not begin as one",
                       name.remedy);
-  if (isKittiScan(file)) return sentence("by its name and size a scan of KITTI (.bin)", kCloud);
-  if (isTextOfPoints(file)) return sentence("a text, of points perhaps", kCloud);
   return "";
 }
 }  // namespace
@@ -201,20 +178,24 @@ bool beginsAsObject(std::string_view bytes)
          std::all_of(name.begin(), name.end(), isOfName);
 }
 
-std::string foreignKindOf(const FileTraits& file)
+std::string otherKindOf(const FileTraits& file)
 {
-  constexpr auto kMark = "\xEF\xBB\xBF"sv;  // that editors put before a text
-  const auto begin =
-      file.begin.substr(file.begin.substr(0, kMark.size()) == kMark ? kMark.size() : 0);
+  const auto begin = withoutMark(file.begin);
+  if (beginsWith(begin, "LASF") && !isPackedLas(begin)) return "";
   if (const Kind* kind = kindByMagic(begin)) return sentence(kind->what, kind->remedy);
   if (beginsAsObject(begin)) return "";
-  if (isPcd(begin)) return sentence("a point cloud of PCL (.pcd)", kCloud);
   if (isStl(begin)) return sentence("a mesh (.stl)", kMesh);
   if (isBitmap(begin)) return sentence("a picture (.bmp)", kPicture);
   if (isNetpbm(begin)) return sentence("a picture, as that of a ROS map is (.pgm)", kFlat);
   if (hasLine(begin, "image:") && hasLine(begin, "resolution:"))
     return sentence("the .yaml of a ROS map", kFlat);
   return kindByName(file);
+}
+
+std::string foreignKindOf(const FileTraits& file)
+{
+  if (const auto format = cloudFormatOf(file)) return sentence(whatIs(*format), kCloud);
+  return otherKindOf(file);
 }
 
 void refuseForeignKinds(InputStream& stream)

@@ -6,7 +6,6 @@
 
 #include <optional>
 #include <string>
-#include <string_view>
 
 namespace mrpt_mapconv::cloud
 {
@@ -16,11 +15,13 @@ struct CloudReading
   /** What is taken off the coordinates [m]; none: the first point, rounded down to whole metres, if
    * any point is farther than 10 km from the origin, else nothing. */
   std::optional<mrpt::math::TPoint3D> origin = {};
+  /** Names of the columns of a text, separated by commas ("x,y,z,_,time"; names that no field has
+   * are passed over). Empty: as its header line says, else the first three are x, y and z. */
+  std::string columns = {};
 };
 
-/** Whether these are the first bytes of a file of points, or its name says so (text and KITTI's
- * `.bin` have no mark of their own). */
-bool beginsAsCloud(std::string_view bytes, const std::string& name);
+/** Whether it is a file of points that readCloud() reads, see files::cloudFormatOf(). */
+bool isCloud(files::InputStream& stream);
 
 /** Reads `.las` (1.0 to 1.4), `.ply`, `.pcd`, text (`.xyz`, `.txt`, `.csv`) or KITTI's `.bin`.
  * \exception std::runtime_error in one line naming the file and what is wrong with it: missing,

@@ -28,6 +28,8 @@ struct PointCloud
   std::vector<std::uint8_t> withheld;
 
   std::string coordinateSystem;  //!< as WKT or "EPSG:N"; empty if the file names none
+  std::string format;            //!< of the file, as people call it ("LAS 1.2, point format 3")
+  std::vector<std::string> otherFields;  //!< names of what else the file says of each point
   std::size_t notFinite = 0;  //!< points that were left out, since a coordinate is NaN or infinite
 
   std::size_t size() const { return x.size(); }

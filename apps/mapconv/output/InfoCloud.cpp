@@ -1,0 +1,100 @@
+#include <mrpt/core/format.h>
+#include <mrpt_mapconv/cloud/CloudFields.h>
+#include <mrpt_mapconv/cloud/CloudFile.h>
+#include <mrpt_mapconv/params/Text.h>
+
+#include <algorithm>
+#include <map>
+#include <optional>
+
+#include "output/InfoReport.h"
+
+namespace mapconv
+{
+namespace
+{
+using namespace mrpt_mapconv;
+using cloud::Field;
+using cloud::PointCloud;
+
+constexpr Field kFirstAttribute = Field::Time;
+
+void describeExtent(const PointCloud& cloud, InfoReport& report)
+{
+  for (const Field axis : {Field::X, Field::Y, Field::Z})
+    if (const auto range = rangeOf(cloud, axis))
+    {
+      const std::string name(1, "xyz"[indexOf(axis)]);
+      report.line(name, mrpt::format("%.3f to %.3f (%.3f m)", range->min, range->max,
+                                     range->max - range->min));
+      report.json.add(name + "Min", range->min).add(name + "Max", range->max);
+    }
+}
+
+/** All that points have beside coordinates. */
+void describeFields(const PointCloud& cloud, InfoReport& report)
+{
+  JsonObject fields;
+  visitFields(cloud,
+              [&](Field field, const char* name, const auto&)
+              {
+                const auto range = field < kFirstAttribute ? std::nullopt : rangeOf(cloud, field);
+                if (!range) return;
+                report.line(name, jsonNumber(range->min) + " to " + jsonNumber(range->max));
+                fields.add(name, JsonObject().add("min", range->min).add("max", range->max));
+              });
+  report.json.add("fields", fields).add("otherFields", cloud.otherFields);
+  std::string others;
+  for (const auto& name : cloud.otherFields) others += (others.empty() ? "" : ", ") + name;
+  if (!others.empty()) report.line("not read", others);
+}
+
+std::string withName(int itsClass)
+{
+  static const std::map<int, const char*> names = {
+      {0, "never classified"}, {1, "unclassified"},      {2, "ground"},
+      {3, "low vegetation"},   {4, "medium vegetation"}, {5, "high vegetation"},
+      {6, "building"},         {7, "low noise"},         {9, "water"},
+      {17, "bridge deck"},     {18, "high noise"}};
+  const auto name = names.find(itsClass);
+  return std::to_string(itsClass) + (name == names.end() ? "" : std::string(" ") + name->second);
+}
+
+void describeClasses(const PointCloud& cloud, InfoReport& report)
+{
+  std::map<int, std::size_t> counts;
+  for (const auto itsClass : cloud.classification) ++counts[itsClass];
+  JsonObject classes;
+  std::string text;
+  for (const auto& [itsClass, count] : counts)
+  {
+    text += (text.empty() ? "" : ", ") + withName(itsClass) + ": " + std::to_string(count);
+    classes.add(std::to_string(itsClass), count);
+  }
+  if (!text.empty()) report.line("classes", text);
+  report.json.add("classes", classes);
+}
+}  // namespace
+
+void describeCloudFile(files::InputStream& stream, const std::string& columns, InfoReport& report)
+{
+  const PointCloud cloud = readCloud(stream, {{}, columns});
+  const auto withheld = static_cast<std::size_t>(
+      std::count_if(cloud.withheld.begin(), cloud.withheld.end(), [](auto w) { return w != 0; }));
+  report.json.add("kind", "cloud").add("format", cloud.format).add("points", cloud.size());
+  report.line("kind", "cloud of points");
+  report.line("format", cloud.format);
+  report.line("points", std::to_string(cloud.size()));
+  describeExtent(cloud, report);
+  describeFields(cloud, report);
+  describeClasses(cloud, report);
+  if (!cloud.withheld.empty()) report.line("withheld", params::counted(withheld, "point"));
+  if (cloud.notFinite > 0)
+    report.line("left out", params::counted(cloud.notFinite, "point") +
+                                ", of which a coordinate is NaN or infinite");
+  if (!cloud.coordinateSystem.empty()) report.line("system", cloud.coordinateSystem);
+  report.json.add("withheld", withheld).add("notFinite", cloud.notFinite);
+  report.json.add("coordinateSystem", cloud.coordinateSystem);
+}
+
+}  // namespace mapconv

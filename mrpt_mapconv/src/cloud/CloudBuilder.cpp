@@ -1,0 +1,99 @@
+#include "CloudBuilder.h"
+
+#include <mrpt_mapconv/params/Text.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <type_traits>
+#include <utility>
+
+namespace mrpt_mapconv::cloud
+{
+namespace
+{
+constexpr double kFar = 10e3;  // [m]; a float has millimetres there
+
+bool isFinite(const Row& row)
+{
+  return std::isfinite(row[0]) && std::isfinite(row[1]) && std::isfinite(row[2]);
+}
+
+/** The first point, rounded down, if any is far from the origin. */
+mrpt::math::TPoint3D automaticOrigin(const PointCloud& cloud)
+{
+  const auto isFar = [](double v) { return std::abs(v) > kFar; };
+  const auto anyFar = [&](const std::vector<double>& v)
+  { return std::any_of(v.begin(), v.end(), isFar); };
+  if (!anyFar(cloud.x) && !anyFar(cloud.y) && !anyFar(cloud.z)) return {0, 0, 0};
+  return {std::floor(cloud.x[0]), std::floor(cloud.y[0]), std::floor(cloud.z[0])};
+}
+
+void takeOff(double origin, std::vector<double>& values)
+{
+  for (double& value : values) value -= origin;
+}
+}  // namespace
+
+CloudBuilder::CloudBuilder(std::string name, FieldSet fields)
+    : m_name(std::move(name)), m_fields(fields)
+{
+}
+
+void CloudBuilder::reserve(std::uint64_t promised, const std::optional<std::uintmax_t>& fileSize,
+                           std::size_t bytesPerPoint)
+{
+  const auto room = static_cast<std::size_t>(
+      std::min<std::uintmax_t>(promised, fileSize.value_or(0) / bytesPerPoint));
+  visitFields(m_cloud,
+              [&](Field field, const char*, auto& values)
+              {
+                if (m_fields[indexOf(field)]) values.reserve(room);
+              });
+}
+
+void CloudBuilder::add(const Row& row)
+{
+  if (!isFinite(row))
+  {
+    ++m_cloud.notFinite;
+    return;
+  }
+  visitFields(m_cloud,
+              [&](Field field, const char* name, auto& values)
+              {
+                if (!m_fields[indexOf(field)]) return;
+                using Value = typename std::decay_t<decltype(values)>::value_type;
+                const double value = row[indexOf(field)];
+                if constexpr (std::is_integral_v<Value>)
+                  if (!(value >= 0 && value <= std::numeric_limits<Value>::max() &&
+                        value == std::floor(value)))
+                    refuse(name, value);
+                values.push_back(static_cast<Value>(value));
+              });
+}
+
+void CloudBuilder::refuse(const char* field, double value) const
+{
+  throw std::runtime_error(m_name + ": point " + std::to_string(seen()) + ": " + field + " = " +
+                           params::shortestText(value) +
+                           " is not valid: it must be a whole number of 0 to 255");
+}
+
+PointCloud CloudBuilder::finished(const CloudReading& reading) &&
+{
+  if (m_cloud.empty())
+    throw std::runtime_error(m_name +
+                             (m_cloud.notFinite == 0
+                                  ? ": holds no point"
+                                  : ": holds no usable point: a coordinate of each of its " +
+                                        std::to_string(m_cloud.notFinite) + " is NaN or infinite"));
+  m_cloud.origin = reading.origin.value_or(automaticOrigin(m_cloud));
+  takeOff(m_cloud.origin.x, m_cloud.x);
+  takeOff(m_cloud.origin.y, m_cloud.y);
+  takeOff(m_cloud.origin.z, m_cloud.z);
+  return std::move(m_cloud);
+}
+
+}  // namespace mrpt_mapconv::cloud

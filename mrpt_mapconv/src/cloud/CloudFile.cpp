@@ -1,0 +1,88 @@
+#include <mrpt_mapconv/cloud/CloudFile.h>
+#include <mrpt_mapconv/files/AtomicFile.h>
+#include <mrpt_mapconv/files/CloudFormat.h>
+#include <mrpt_mapconv/params/Text.h>
+
+#include <filesystem>
+#include <stdexcept>
+
+#include "BlockInput.h"
+#include "KittiFile.h"
+#include "LasFile.h"
+#include "PcdFile.h"
+#include "PlyFile.h"
+#include "TextFile.h"
+
+namespace mrpt_mapconv::cloud
+{
+namespace
+{
+using files::CloudFormat;
+
+std::optional<CloudFormat> formatOf(files::InputStream& stream)
+{
+  return files::cloudFormatOf({stream.name(), stream.preview(), stream.fileSize()});
+}
+
+/** Says what a file is that holds no cloud. */
+[[noreturn]] void refuse(files::InputStream& stream)
+{
+  files::refuseForeignKinds(stream);
+  throw std::runtime_error(stream.name() +
+                           ": is no file of points that is read here: .las, .ply, .pcd, text "
+                           "(.xyz, .txt, .csv) or KITTI's .bin (of 16 bytes a point)");
+}
+}  // namespace
+
+bool isCloud(files::InputStream& stream) { return formatOf(stream).has_value(); }
+
+PointCloud readCloud(files::InputStream& stream, const CloudReading& reading)
+{
+  const auto format = formatOf(stream);
+  if (!format) refuse(stream);
+  BlockInput input(stream);
+  switch (*format)
+  {
+    case CloudFormat::Las:
+      return readLas(input, reading);
+    case CloudFormat::Ply:
+      return readPly(input, reading);
+    case CloudFormat::Pcd:
+      return readPcd(input, reading);
+    case CloudFormat::Text:
+      return readText(input, reading);
+    case CloudFormat::Kitti:
+      return readKitti(input, reading);
+  }
+  refuse(stream);
+}
+
+PointCloud readCloudFile(const std::string& path, const CloudReading& reading)
+{
+  files::InputStream stream(path);
+  return readCloud(stream, reading);
+}
+
+void writeCloudFile(const std::string& path, const PointCloud& cloud)
+{
+  const std::string ending = params::lowerCase(std::filesystem::path(path).extension().string());
+  files::AtomicFile file(path);
+  const std::string& to = file.stagingPath();
+  if (ending == ".las")
+    writeLas(to, cloud);
+  else if (ending == ".ply")
+    writePly(to, cloud);
+  else if (ending == ".pcd")
+    writePcd(to, cloud);
+  else if (ending == ".bin")
+    writeKitti(to, cloud);
+  else if (ending == ".csv" || ending == ".xyz" || ending == ".txt")
+    writeText(to, cloud);
+  else
+    throw std::runtime_error("cannot write '" + path +
+                             "': a cloud of points is written as .las, .ply, .pcd, .xyz, .txt, "
+                             ".csv or .bin (KITTI)");
+  file.commit();
+}
+
+}  // namespace mrpt_mapconv::cloud
