@@ -31,6 +31,12 @@ void describeExtent(const PointCloud& cloud, InfoReport& report)
     }
 }
 
+std::string rangeText(const PointCloud& cloud, Field field)
+{
+  const auto range = rangeOf(cloud, field);
+  return range ? jsonNumber(range->min) + " to " + jsonNumber(range->max) : "";
+}
+
 /** All that points have beside coordinates. */
 void describeFields(const PointCloud& cloud, InfoReport& report)
 {
@@ -39,11 +45,20 @@ void describeFields(const PointCloud& cloud, InfoReport& report)
               [&](Field field, const char* name, const auto&)
               {
                 const auto range = field < kFirstAttribute ? std::nullopt : rangeOf(cloud, field);
-                if (!range) return;
-                report.line(name, jsonNumber(range->min) + " to " + jsonNumber(range->max));
-                fields.add(name, JsonObject().add("min", range->min).add("max", range->max));
+                if (range)
+                  fields.add(name, JsonObject().add("min", range->min).add("max", range->max));
               });
   report.json.add("fields", fields).add("otherFields", cloud.otherFields);
+
+  const auto line = [&](const char* label, Field field, const char* what = "")
+  {
+    const std::string text = rangeText(cloud, field);
+    if (!text.empty()) report.line(label, text + what);
+  };
+  line("time", Field::Time, " s");
+  line("intensity", Field::Intensity);
+  line("return", Field::ReturnNumber);
+  line("returns", Field::NumberOfReturns);
   std::string others;
   for (const auto& name : cloud.otherFields) others += (others.empty() ? "" : ", ") + name;
   if (!others.empty()) report.line("not read", others);
@@ -78,7 +93,7 @@ void describeClasses(const PointCloud& cloud, InfoReport& report)
 
 void describeCloudFile(files::InputStream& stream, const std::string& columns, InfoReport& report)
 {
-  const PointCloud cloud = readCloud(stream, {{}, columns});
+  const PointCloud cloud = mrpt_mapconv::cloud::readCloud(stream, {{}, columns});
   const auto withheld = static_cast<std::size_t>(
       std::count_if(cloud.withheld.begin(), cloud.withheld.end(), [](auto w) { return w != 0; }));
   report.json.add("kind", "cloud").add("format", cloud.format).add("points", cloud.size());
@@ -92,7 +107,8 @@ void describeCloudFile(files::InputStream& stream, const std::string& columns, I
   if (cloud.notFinite > 0)
     report.line("left out", params::counted(cloud.notFinite, "point") +
                                 ", of which a coordinate is NaN or infinite");
-  if (!cloud.coordinateSystem.empty()) report.line("system", cloud.coordinateSystem);
+  report.line("system",
+              cloud.coordinateSystem.empty() ? "the file names none" : cloud.coordinateSystem);
   report.json.add("withheld", withheld).add("notFinite", cloud.notFinite);
   report.json.add("coordinateSystem", cloud.coordinateSystem);
 }

@@ -10,7 +10,7 @@ namespace mrpt_mapconv::cloud
 {
 namespace
 {
-constexpr std::size_t kBlock = std::size_t(1) << 20U, kLongestLine = std::size_t(1) << 20U;
+constexpr std::size_t kBlock = std::size_t(1) << 18U, kLongestLine = std::size_t(1) << 20U;
 }
 
 BlockInput::BlockInput(files::InputStream& stream) : m_stream(stream) {}

@@ -1,4 +1,5 @@
 #include <gtest/gtest.h>
+#include <mrpt_mapconv/cloud/CloudFile.h>
 
 #include <filesystem>
 
@@ -7,6 +8,7 @@
 #include "ScanFiles.h"
 #include "support/TempDir.h"
 
+using namespace mrpt_mapconv;
 using namespace mrpt_mapconv::testing;
 
 // What --json prints, with its keys, their order, and every number that is no time: scripts read
@@ -66,6 +68,24 @@ class GoldenJson : public ::testing::Test
 
   TempDir m_dir;
 };
+
+/** Three points far away, with all that a cloud can have. */
+cloud::PointCloud smallCloud()
+{
+  cloud::PointCloud cloud;
+  cloud.origin = {600000, 5000000, 400};
+  cloud.x = {0.25, 100.125, -3};
+  cloud.y = {0.5, -7.375, 2000};
+  cloud.z = {0, 12.5, -0.75};
+  cloud.time = {1234567.125, 1234567.25, 1234568};
+  cloud.intensity = {0, 7, 65535};
+  cloud.returnNumber = {1, 2, 3};
+  cloud.numberOfReturns = {3, 3, 3};
+  cloud.classification = {2, 2, 200};
+  cloud.withheld = {0, 1, 0};
+  cloud.coordinateSystem = "EPSG:32632";
+  return cloud;
+}
 
 /** Tests of the real scans. Their sensor is 1.8 m high, so a slice of walls has to be named even
  * without the filter: a sensor outside of all slices sees nothing. */
@@ -155,6 +175,24 @@ TEST_F(GoldenJson, infoOfLogs)
   writeSimpleMap(path("a.simplemap"), {0, 1, 2}, false);
   expectJson("info_rawlog", {"info", path("a.rawlog")});
   expectJson("info_simplemap", {"info", path("a.simplemap")});
+}
+
+TEST_F(GoldenJson, infoOfClouds)
+{
+  writeCloudFile(path("a.las"), smallCloud());
+  writeCloudFile(path("a.pcd"), smallCloud());
+  write("a.xyz", "1 2 3 red\n4 5 nan green\n-1.5 7 8 blue\n");
+  expectJson("info_las", {"info", path("a.las")});
+  expectJson("info_pcd", {"info", path("a.pcd")});
+  expectJson("info_xyz", {"info", path("a.xyz")});
+  expectJson("info_xyz_columns", {"info", path("a.xyz"), "--columns", "z,x,y"});
+}
+
+TEST_F(GoldenJson, infoOfARealCloud)
+{
+  const std::string file = MRPT_MAPCONV_SHARED_DIR "/real/autzen-thin.las";
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not there";
+  expectJson("info_autzen", {"info", file});
 }
 
 TEST_F(GoldenJson, scansOfARobotThatMoves)

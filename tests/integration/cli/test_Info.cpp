@@ -125,3 +125,34 @@ TEST(Info, anyFileNameGivesValidJson)
   HandMap::write(name);
   EXPECT_TRUE(contains(infoOf(name)["file"].text, "q\"uote\\ tab\t \xEF\xBF\xBD.bt"));
 }
+
+TEST(Info, describesCloudsOfPoints)
+{
+  const TempDir dir;
+  std::ofstream(dir.path("a.csv"))
+      << "x,y,z,classification,red\n1,2,3,2,9\n4,5,6.5,1,9\nnan,1,1,1,9\n";
+  const JsonValue json = infoOf(dir.path("a.csv"));
+  EXPECT_EQ("cloud", json["kind"].text);
+  EXPECT_EQ(2, json["points"].number);
+  EXPECT_EQ(6.5, json["zMax"].number);
+  EXPECT_EQ(1, json["classes"]["2"].number);
+  EXPECT_EQ(1, json["notFinite"].number);
+  EXPECT_EQ("red", json["otherFields"].list.at(0).text);
+  const auto text = mapconv({"info", dir.path("a.csv")}).out;
+  EXPECT_TRUE(contains(text, "text, separated by commas")) << text;
+  EXPECT_TRUE(contains(text, "x            1.000 to 4.000 (3.000 m)")) << text;
+  EXPECT_TRUE(contains(text, "1 unclassified: 1, 2 ground: 1")) << text;
+  EXPECT_TRUE(contains(text, "not read     red")) << text;
+  EXPECT_TRUE(contains(text, "left out     1 point")) << text;
+  EXPECT_TRUE(contains(text, "system       the file names none")) << text;
+}
+
+TEST(Info, columnsOfATextMayBeGiven)
+{
+  const TempDir dir;
+  std::ofstream(dir.path("a.txt")) << "5 1 2 3\n";
+  const auto run = mapconv({"info", dir.path("a.txt"), "--columns", "time,x,y,z", "--json"});
+  EXPECT_EQ(3, parseJson(run.out)["zMax"].number) << run.err;
+  const auto wrong = mapconv({"info", dir.path("a.txt"), "--columns", "time,x,y"});
+  EXPECT_TRUE(contains(wrong.err, "columns = time,x,y is not valid: it must name x, y and z"));
+}

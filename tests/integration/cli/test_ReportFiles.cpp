@@ -168,10 +168,9 @@ TEST_F(ReportFiles, NothingOnStdinIsNamed)
 TEST_F(ReportFiles, ForeignKindsAreNamedWithWhatTurnsThemIntoSomethingThatIsRead)
 {
   write(path("drive.bag"), "#ROSBAG V2.0\n" + std::string(5000, '\x1b'));
-  write(path("cloud.bt"), "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\n");
-  write(path("0001.bin"), std::string(1600, '\x42'));
-  const std::vector<std::pair<std::string, std::string>> files = {
-      {"drive.bag", "rosbag2rawlog"}, {"cloud.bt", "graph2tree"}, {"0001.bin", "KITTI"}};
+  write(path("a.laz"), "LASF" + std::string(100, '\0') + "\x83" + std::string(500, '\0'));
+  const std::vector<std::pair<std::string, std::string>> files = {{"drive.bag", "rosbag2rawlog"},
+                                                                  {"a.laz", "pdal translate"}};
   for (const auto& [name, words] : files)
   {
     const std::string file = path(name);
@@ -188,6 +187,24 @@ TEST_F(ReportFiles, ForeignKindsAreNamedWithWhatTurnsThemIntoSomethingThatIsRead
   expectError(mapconv({"plan", path("hand.bt"), "--robot", "ground", "--from", "0,0", "--to", "1,1",
                        "--robot-radius", "0.2", "-o", path("p.csv")}),
               {"hand.bt: is a file", "mapconv convert"});
+}
+
+TEST_F(ReportFiles, CloudsWithoutATrajectoryAreRefusedWithWhatDoesWithoutOne)
+{
+  write(path("cloud.bt"), "# .PCD v0.7\nVERSION 0.7\nFIELDS x y z\nPOINTS 1\nDATA ascii\n1 2 3\n");
+  write(path("0001.bin"), std::string(1600, '\x42'));
+  write(path("a.ply"), "ply\n");
+  write(path("a.las"), "LASF");
+  write(path("a.xyz"), "1 2 3\n");
+  const auto expectRefused = [&](const std::vector<std::string>& words, const std::string& name) {
+    expectError(mapconv(words), {name, "--trajectory FILE", "info and ground do without"});
+  };
+  for (const std::string name : {"cloud.bt", "0001.bin", "a.ply", "a.las", "a.xyz"})
+    expectRefused(convert(path(name)), name);
+  const std::string cloud = path("a.xyz");
+  expectRefused({"terrain", cloud, "-o", path("out")}, "a.xyz");
+  expectRefused({"insert", cloud, "-o", path("out"), "--structure", "2", "3"}, "a.xyz");
+  expectRefused({"project", cloud, "-o", path("out"), "--z-min", "0", "--z-max", "1"}, "a.xyz");
 }
 
 TEST_F(ReportFiles, PublicFilesOfForeignKindsAreNamed)
