@@ -1,7 +1,9 @@
 #include "input/InputMap.h"
 
+#include <mrpt_mapconv/cloud/CloudFile.h>
 #include <mrpt_mapconv/files/ObjectFile.h>
 #include <mrpt_mapconv/maps/OctoMapAccess.h>
+#include <mrpt_mapconv/observation/TrajectoryFile.h>
 #include <mrpt_mapconv/params/Require.h>
 #include <mrpt_mapconv/params/Text.h>
 #include <mrpt_mapconv/voxel/LeafProbabilities.h>
@@ -98,6 +100,9 @@ void InputMap::read(const InputRequest& request, Progress& progress)
     readTree(stream, request);
     return;
   }
+  if (cloud::isCloud(stream)) return buildFromCloud(stream, request, progress);
+  if (!request.trajectory.empty())
+    m_noEffect.add({"--trajectory"}, shownName(request.file) + " is no cloud of points");
   files::ObjectFile file(std::move(stream));
   readObject(file, request, progress);
 }
@@ -168,6 +173,43 @@ void InputMap::readObject(files::ObjectFile& file, const InputRequest& request, 
   }
   throw std::runtime_error(file.path() + ": holds no octomap and no scans, but " +
                            (others.empty() ? "no object at all" : others));
+}
+
+void InputMap::buildFromCloud(files::InputStream& stream, const InputRequest& request,
+                              Progress& progress)
+{
+  const std::string name = shownName(request.file);
+  if (request.trajectory.empty())
+    throw std::runtime_error(
+        name +
+        ": is a cloud of points, which does not say from where they were seen: --trajectory "
+        "FILE with the sensor's poses is missing; info and ground do without");
+  const cloud::PointCloud cloud = cloud::readCloud(stream, {request.geo.origin});
+  if (cloud.time.empty())
+    throw std::runtime_error(name +
+                             ": its points have no times, so nobody knows from where each was "
+                             "seen; info and ground do without");
+  const auto track = observation::readTrajectoryFile(request.trajectory);
+  progress.stage("inserting the points of " + name);
+  voxel::VoxelGrid grid(resolutionOf(request));
+  auto times = request.times;
+  times.maxGap = request.log.maxPoseGap;
+  const auto inserted = voxel::insertCloud(grid, cloud, track, times,
+                                           voxel::rayParamsOf(request.insertion), request.threads);
+  if (inserted.points == 0)
+    throw std::runtime_error(name + ": not one of its points has a time that " +
+                             request.trajectory +
+                             " covers; --time-unit and --time-offset bring "
+                             "the cloud's times to those of the trajectory");
+  if (inserted.uncovered > 0)
+    printWarning(std::to_string(inserted.uncovered) + " of " + std::to_string(cloud.size()) +
+                 " points left out: " + request.trajectory + " has no pose at their times");
+  m_built.emplace(grid.resolution());
+  m_built->setGrid(std::move(grid), request.insertion);
+  m_source = m_built->source();
+  m_reference = {cloud.origin, request.geo.coordinateSystem.empty() ? cloud.coordinateSystem
+                                                                    : request.geo.coordinateSystem};
+  m_description = "cloud (" + params::counted(inserted.points, "point") + ")";
 }
 
 void InputMap::buildFromScans(files::ObjectFile& log, LogKind kind, const InputRequest& request,

@@ -2,6 +2,7 @@
 
 #include <mrpt/serialization/CSerializable.h>
 #include <mrpt_mapconv/observation/ScanLog.h>
+#include <mrpt_mapconv/voxel/CloudRays.h>
 #include <mrpt_mapconv/voxel/VoxelInsertion.h>
 #include <mrpt_mapconv/voxel/VoxelMap.h>
 #include <mrpt_mapconv/voxel/VoxelSource.h>
@@ -33,6 +34,8 @@ struct InputRequest
   int threads = 0;                               //!< that build it; 0: all cores
   mrpt_mapconv::observation::RawlogOptions log;  //!< where the poses of a rawlog come from
   GeoOptions geo;                                //!< where the map lies
+  std::string trajectory;                 //!< file of the sensor's poses over time; of a cloud
+  mrpt_mapconv::voxel::CloudTimes times;  //!< of a cloud
   mrpt_mapconv::voxel::TVoxelInsertionOptions insertion;  //!< how scans are inserted
   std::vector<std::string> insertionKeys;  //!< of `insertion`, those that iniFile changes
   NoEffect noEffect;                       //!< what else was asked for in vain
@@ -61,6 +64,8 @@ class InputMap
   void readObject(mrpt_mapconv::files::ObjectFile& file, const InputRequest& request,
                   Progress& progress);
   void readTree(mrpt_mapconv::files::InputStream& stream, const InputRequest& request);
+  void buildFromCloud(mrpt_mapconv::files::InputStream& stream, const InputRequest& request,
+                      Progress& progress);
   void buildFromScans(mrpt_mapconv::files::ObjectFile& log, LogKind kind,
                       const InputRequest& request, Progress& progress);
 

@@ -101,6 +101,18 @@ void addInputOptions(CLI::App& app, InputOptions& options)
       ->type_name("M");
   addPoseOptions(app, options.input.log);
   addGeoOptions(app, options.input.geo);
+  app.add_option("--trajectory", options.input.trajectory,
+                 "poses of the sensor of a cloud: lines of t x y z yaw pitch roll [s, m, rad], of "
+                 "TUM's t x y z qx qy qz qw, or with a covariance")
+      ->type_name("FILE");
+  app.add_option("--time-unit", options.input.times.unit,
+                 "unit of a cloud's times [s], default 1: 1e-6 for microseconds")
+      ->check(isPositive())
+      ->type_name("S");
+  app.add_option("--time-offset", options.input.times.offset,
+                 "added to a cloud's times to get those of the trajectory [s], default 0")
+      ->check(isFinite())
+      ->type_name("S");
   addThreadsOption(app, options.threads);
 }
 

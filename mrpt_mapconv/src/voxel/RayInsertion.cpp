@@ -31,6 +31,19 @@ void RayParams::check() const
   require(!maxMemory || *maxMemory > 0, "maxMemory", maxMemory.value_or(0), "above 0 MB, or auto");
 }
 
+RayParams rayParamsOf(const TVoxelInsertionOptions& options)
+{
+  const auto logOdds = [](double probability) { return std::log(probability / (1 - probability)); };
+  RayParams params;
+  params.probHit = options.probHit;
+  params.probMiss = options.probMiss;
+  params.minLogOdds = logOdds(options.clampingThresMin);
+  params.maxLogOdds = logOdds(options.clampingThresMax);
+  params.maxRange = options.maxrange;
+  params.maxMemory = options.maxMemory;
+  return params;
+}
+
 namespace
 {
 /** Bytes that rays can add to a grid at most, as far as their bounding box and their lengths tell.

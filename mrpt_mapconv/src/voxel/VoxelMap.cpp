@@ -128,6 +128,14 @@ void VoxelMap::setFullOctree(std::string_view bytes, const std::string& name, do
   m_tree = std::move(tree);
 }
 
+void VoxelMap::setGrid(VoxelGrid grid, const TVoxelInsertionOptions& model)
+{
+  m_resolution = grid.resolution();
+  m_tree.reset();
+  m_grid = std::move(grid);
+  setModel(model);
+}
+
 void VoxelMap::clear()
 {
   m_tree.reset();

@@ -4,6 +4,7 @@
 #include <mrpt_mapconv/params/Fields.h>
 #include <mrpt_mapconv/voxel/ColumnSet.h>
 #include <mrpt_mapconv/voxel/VoxelGrid.h>
+#include <mrpt_mapconv/voxel/VoxelInsertionOptions.h>
 
 #include <cstddef>
 #include <cstdint>
@@ -53,6 +54,9 @@ struct RayParams
    * for values that exclude each other */
   void check() const;
 };
+
+/** The same sensor model, range and limit as those of insertScan(). */
+RayParams rayParamsOf(const TVoxelInsertionOptions& options);
 
 /** What insertRays() did. */
 struct InsertedRays

@@ -73,6 +73,8 @@ class VoxelMap
    * \exception std::runtime_error as readVoxelGrid(); the map then stays as it was */
   void setFullOctree(std::string_view bytes, const std::string& name, double resolution,
                      const std::optional<std::int32_t>& maxMemory = {});
+  /** Replaces the map, its resolution, and its model. */
+  void setGrid(VoxelGrid grid, const TVoxelInsertionOptions& model);
   /** Makes all voxels unknown. */
   void clear();
 
