@@ -1,4 +1,5 @@
 #include <mrpt_mapconv/cloud/CloudFile.h>
+#include <mrpt_mapconv/files/CloudFormat.h>
 
 #include <CLI/CLI.hpp>
 #include <memory>
@@ -6,12 +7,15 @@
 
 #include "command/Command.h"
 #include "input/InputFile.h"
+#include "input/NoEffect.h"
 #include "output/Console.h"
 #include "output/InfoReport.h"
 #include "output/Progress.h"
 
 namespace mapconv
 {
+using namespace mrpt_mapconv;
+
 namespace
 {
 struct InfoOptions
@@ -20,6 +24,16 @@ struct InfoOptions
   std::string columns;
   bool json = false;
 };
+
+/** Columns can only be named where there are no names: in a text. */
+void warnOfColumns(const InfoOptions& options, files::InputStream& stream)
+{
+  const auto format = files::cloudFormatOf({stream.name(), stream.preview(), stream.fileSize()});
+  if (options.columns.empty() || format == files::CloudFormat::Text) return;
+  NoEffect noEffect;
+  noEffect.add({"--columns"}, shownName(options.file) + " is no text of points");
+  noEffect.warn();
+}
 
 int info(const InfoOptions& options)
 {
@@ -36,7 +50,8 @@ int info(const InfoOptions& options)
       report.json.add("bytes", *bytes);
       report.line("bytes", std::to_string(*bytes));
     }
-    if (mrpt_mapconv::cloud::isCloud(stream))
+    warnOfColumns(options, stream);
+    if (cloud::isCloud(stream))
       describeCloudFile(stream, options.columns, report);
     else if (isOctree(stream))
       describeOctreeFile(stream, report);

@@ -33,6 +33,7 @@ std::vector<std::uint64_t> wholeNumbers(const std::vector<std::string>& words,
                                         const BlockInput& input)
 {
   std::vector<std::uint64_t> numbers;
+  numbers.reserve(words.size());
   for (const auto& word : words) numbers.push_back(wholeNumber(word, input));
   return numbers;
 }

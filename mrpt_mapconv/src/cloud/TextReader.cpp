@@ -126,7 +126,7 @@ class TextPoints
   /** As the last comment says, if it names as many; else x, y and z, and others without a name. */
   Columns columnsOfFirst() const
   {
-    const Columns named = columnsNamed(m_comment);
+    Columns named = columnsNamed(m_comment);
     if (named.hasCoordinates() && named.words() == m_words.size()) return named;
     std::vector<std::string> names = {"x", "y", "z"};
     for (std::size_t i = names.size(); i < m_words.size(); ++i)

@@ -154,5 +154,11 @@ TEST(Info, columnsOfATextMayBeGiven)
   const auto run = mapconv({"info", dir.path("a.txt"), "--columns", "time,x,y,z", "--json"});
   EXPECT_EQ(3, parseJson(run.out)["zMax"].number) << run.err;
   const auto wrong = mapconv({"info", dir.path("a.txt"), "--columns", "time,x,y"});
+  std::ofstream(dir.path("a.ply")) << "ply\nformat ascii 1.0\nelement vertex 1\nproperty int x\n"
+                                      "property int y\nproperty int z\nend_header\n1 2 3\n";
+  const auto ply = mapconv({"info", dir.path("a.ply"), "--columns", "z,y,x"});
+  EXPECT_EQ(0, ply.status);
+  EXPECT_TRUE(contains(ply.err, "--columns")) << ply.err;
+  EXPECT_TRUE(contains(ply.err, "a.ply is no text of points")) << ply.err;
   EXPECT_TRUE(contains(wrong.err, "columns = time,x,y is not valid: it must name x, y and z"));
 }
