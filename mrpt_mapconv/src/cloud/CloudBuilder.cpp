@@ -20,14 +20,14 @@ bool isFinite(const Row& row)
   return std::isfinite(row[0]) && std::isfinite(row[1]) && std::isfinite(row[2]);
 }
 
-/** The first point, rounded down, if any is far from the origin. */
+/** x and y of the first point, rounded down, if any is far from the origin. */
 mrpt::math::TPoint3D automaticOrigin(const PointCloud& cloud)
 {
   const auto isFar = [](double v) { return std::abs(v) > kFar; };
   const auto anyFar = [&](const std::vector<double>& v)
   { return std::any_of(v.begin(), v.end(), isFar); };
   if (!anyFar(cloud.x) && !anyFar(cloud.y) && !anyFar(cloud.z)) return {0, 0, 0};
-  return {std::floor(cloud.x[0]), std::floor(cloud.y[0]), std::floor(cloud.z[0])};
+  return {std::floor(cloud.x[0]), std::floor(cloud.y[0]), 0};  // heights stay heights
 }
 
 void takeOff(double origin, std::vector<double>& values)

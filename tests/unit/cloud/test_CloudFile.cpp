@@ -104,9 +104,9 @@ TEST(CloudFile, FarCloudsGetAnOriginOfWholeMetres)
   const std::string near = "9999 -9999.5 3\n", far = "3.5 2.25 -10001.5\n";
   EXPECT_EQ(TPoint3D(0, 0, 0), readBytesAs("a.xyz", near).origin);
   const PointCloud cloud = readBytesAs("a.xyz", near + far);
-  EXPECT_EQ(TPoint3D(9999, -10000, 3), cloud.origin);
+  EXPECT_EQ(TPoint3D(9999, -10000, 0), cloud.origin);
   EXPECT_EQ(0.5, cloud.y[0]);
-  EXPECT_EQ(-10004.5, cloud.z[1]);
+  EXPECT_EQ(-10001.5, cloud.z[1]);
   const PointCloud given = readBytesAs("a.xyz", near, {TPoint3D(1, 2, 3), ""});
   EXPECT_EQ(TPoint3D(1, 2, 3), given.origin);
   EXPECT_EQ(9998, given.x[0]);

@@ -12,8 +12,8 @@ namespace mrpt_mapconv::cloud
 /** How a file of points is read. */
 struct CloudReading
 {
-  /** What is taken off the coordinates [m]; none: the first point, rounded down to whole metres, if
-   * any point is farther than 10 km from the origin, else nothing. */
+  /** What is taken off the coordinates [m]; none: x and y of the first point, rounded down to whole
+   * metres, if any point is farther than 10 km from the origin, else nothing. */
   std::optional<mrpt::math::TPoint3D> origin = {};
   /** Names of the columns of a text, separated by commas ("x,y,z,_,time"; names that no field has
    * are passed over). Empty: as its header line says, else the first three are x, y and z. */
