@@ -1,0 +1,121 @@
+#include "Cloth.h"
+
+#include <algorithm>
+
+#include "../grid/Parallel.h"
+
+namespace mrpt_mapconv::aerial
+{
+namespace
+{
+constexpr float kStartBelow = 0.05F;      // the lowest cell of the surface [m]
+constexpr std::size_t kStripRows = 32;    // at least 2, the reach of a constraint
+constexpr std::size_t kTurnsOfAStep = 2;  // of each constraint
+}  // namespace
+
+Cloth::Cloth(const grid::Layer<float>& surface, const GroundParams& params, int threads)
+    : m_frame(surface.frame()),
+      m_params(params),
+      m_threads(threads),
+      m_base(*std::min_element(surface.cells().begin(), surface.cells().end())),
+      m_surface(surface.cells()),
+      m_z(m_surface.size(), -kStartBelow),
+      m_before(m_z),
+      m_free(m_z.size(), 1)
+{
+  for (float& height : m_surface) height -= m_base;
+}
+
+template <class Work>
+void Cloth::forRows(const Work& work) const
+{
+  const auto width = static_cast<std::size_t>(m_frame.width);
+  grid::inParallel(static_cast<std::size_t>(m_frame.height), m_threads,
+                   [&](std::size_t begin, std::size_t end)
+                   { work(begin * width, (end - begin) * width); });
+}
+
+std::int32_t Cloth::settle()
+{
+  m_before = m_z;
+  const auto velocity = static_cast<float>(1 - m_params.damping);
+  const auto gravity = static_cast<float>(m_params.firstMove());
+  for (std::int32_t step = 1; step <= m_params.maxIterations; ++step)
+  {
+    forRows([&](std::size_t at, std::size_t n)
+            { moveFreely(&m_z[at], &m_before[at], &m_free[at], n, velocity, gravity); });
+    pullTogether();
+    const float move = largestMoveOfAll();
+    forRows([&](std::size_t at, std::size_t n)
+            { stopAt(&m_surface[at], &m_z[at], &m_free[at], n); });
+    if (move < static_cast<float>(m_params.restMove)) return step;
+  }
+  return m_params.maxIterations;
+}
+
+float Cloth::largestMoveOfAll() const
+{
+  const auto width = static_cast<std::size_t>(m_frame.width);
+  std::vector<float> ofRows(static_cast<std::size_t>(m_frame.height));
+  grid::inParallel(ofRows.size(), m_threads,
+                   [&](std::size_t begin, std::size_t end)
+                   {
+                     for (std::size_t y = begin; y < end; ++y)
+                       ofRows[y] = largestMove(&m_z[y * width], &m_before[y * width],
+                                               &m_free[y * width], width);
+                   });
+  return *std::max_element(ofRows.begin(), ofRows.end());
+}
+
+void Cloth::pullTogether()
+{
+  const auto rows = static_cast<std::size_t>(m_frame.height);
+  const std::size_t strips = (rows + kStripRows - 1) / kStripRows;
+  const Pull pull = Pull::ofPasses(m_params.rigidness);
+  for (std::size_t turn = 0; turn < kTurnsOfAStep; ++turn)
+    for (const std::size_t parity : {0U, 1U})
+      grid::inParallel((strips + 1 - parity) / 2, m_threads,
+                       [&](std::size_t begin, std::size_t end)
+                       {
+                         std::vector<float> scratch(static_cast<std::size_t>(m_frame.width));
+                         for (std::size_t k = begin; k < end; ++k)
+                         {
+                           const std::size_t first = (2 * k + parity) * kStripRows;
+                           for (std::size_t y = first; y < std::min(first + kStripRows, rows); ++y)
+                             pullRow(y, pull, scratch);
+                         }
+                       });
+}
+
+void Cloth::pullRow(std::size_t y, const Pull& pull, std::vector<float>& scratch)
+{
+  const auto width = static_cast<std::size_t>(m_frame.width);
+  const auto from = [&](std::size_t iy, std::size_t ix) {
+    return ParticleRow{&m_z[iy * width + ix], &m_free[iy * width + ix]};
+  };
+  for (const std::size_t reach : {1U, 2U})
+  {
+    pullAlong(from(y, 0), width, reach, pull, scratch.data());
+    const std::size_t other = y + reach;
+    if (other >= static_cast<std::size_t>(m_frame.height)) continue;
+    pullAcross(from(y, 0), from(other, 0), width, pull);
+    if (width <= reach) continue;
+    pullAcross(from(y, 0), from(other, reach), width - reach, pull);
+    pullAcross(from(y, reach), from(other, 0), width - reach, pull);
+  }
+}
+
+void Cloth::fix(std::size_t cell)
+{
+  m_z[cell] = m_surface[cell];
+  m_free[cell] = 0;
+}
+
+grid::Layer<float> Cloth::heights() const
+{
+  grid::Layer<float> heights(m_frame, 0);
+  for (std::size_t i = 0; i < m_z.size(); ++i) heights.cells()[i] = m_z[i] + m_base;
+  return heights;
+}
+
+}  // namespace mrpt_mapconv::aerial

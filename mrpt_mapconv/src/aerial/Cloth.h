@@ -1,0 +1,58 @@
+#pragma once
+
+#include <mrpt_mapconv/aerial/GroundParams.h>
+#include <mrpt_mapconv/grid/Layer.h>
+
+#include <cstdint>
+#include <vector>
+
+#include "ClothRows.h"
+
+namespace mrpt_mapconv::aerial
+{
+/** A cloth of particles, one at each cell's centre, that gravity presses against a surface from
+ * below (Zhang et al. 2016 turn the cloud over instead, which is the same). It spans what rises
+ * steeply, and follows what rises slowly.
+ *
+ * Particles move up and down only, and stay for ever where they meet the surface. Each is held by
+ * its neighbours at one and two cells in eight directions; a pass moves both ends of such a
+ * constraint by 0.3 of their difference, or the free one of them, and all `rigidness` passes are
+ * made at once, as in the published code, where each constraint also has its turn twice a step.
+ *
+ * Constraints are worked on in strips of rows, first the even ones, then the odd ones, so that the
+ * result is the same for any number of threads. */
+class Cloth
+{
+ public:
+  /** Lies flat just below the surface. \param surface heights without gaps [m] */
+  Cloth(const grid::Layer<float>& surface, const GroundParams& params, int threads);
+
+  /** Starts from rest and moves until it rests or maxIterations are done.
+   * \return the number of steps */
+  std::int32_t settle();
+
+  /** Whether the particle of a cell has met the surface. */
+  bool isFixed(std::size_t cell) const { return m_free[cell] == 0; }
+  /** How far a particle is below the surface [m]. */
+  float gap(std::size_t cell) const { return m_surface[cell] - m_z[cell]; }
+  /** Moves a particle to the surface, where it stays. */
+  void fix(std::size_t cell);
+  /** The particles' heights [m]. */
+  grid::Layer<float> heights() const;
+
+ private:
+  float largestMoveOfAll() const;
+  void pullTogether();
+  void pullRow(std::size_t y, const Pull& pull, std::vector<float>& scratch);
+  template <class Work>
+  void forRows(const Work& work) const;
+
+  grid::GridFrame m_frame;
+  const GroundParams& m_params;
+  int m_threads;
+  float m_base;                                 // what heights below are relative to [m]
+  std::vector<float> m_surface, m_z, m_before;  // of each particle [m]; m_before: a step ago
+  std::vector<float> m_free;                    // 1 for particles that can move, else 0
+};
+
+}  // namespace mrpt_mapconv::aerial

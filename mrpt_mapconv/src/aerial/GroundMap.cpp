@@ -1,0 +1,86 @@
+#include "GroundMap.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace mrpt_mapconv::aerial
+{
+using grid::Layer;
+using grid::LayerKind;
+
+namespace
+{
+constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
+constexpr float kMeasured = 1;  // of LayerKind::Evidence: seen
+
+void countPoints(const cloud::PointCloud& cloud, const UsedPoints& used,
+                 const std::vector<std::uint8_t>& classification, GroundLayers& layers)
+{
+  for (std::size_t i = 0; i < used.size(); ++i)
+  {
+    if (!used[i]) continue;
+    const std::size_t cell = cellAt(layers.ground.frame(), cloud.x[i], cloud.y[i]);
+    const auto z = static_cast<float>(cloud.z[i]);
+    float& highest = layers.surface.cells()[cell];
+    if (!(highest >= z)) highest = z;  // also if there is none
+    ++layers.allPoints.cells()[cell];
+    if (classification[i] != cloud::kGround) continue;
+    float& lowest = layers.ground.cells()[cell];
+    if (!(lowest <= z)) lowest = z;
+    ++layers.groundPoints.cells()[cell];
+  }
+}
+
+/** Gives cells without a ground point what is nearest on the filter's surface. */
+void fillGround(const Layer<float>& filterSurface, GroundLayers& layers)
+{
+  const grid::GridFrame& frame = layers.ground.frame();
+  const grid::GridFrame& filter = filterSurface.frame();
+  const auto nearest = [&](double metres, std::int32_t first, std::int32_t end)
+  {
+    const double shifted = metres - filter.shift * filter.resolution;
+    return std::clamp(grid::cellKey(shifted, filter.resolution), first, end - 1);
+  };
+  for (std::int32_t y = 0; y < frame.height; ++y)
+  {
+    const std::int32_t ky = nearest(frame.centreOf(frame.y0 + y), filter.y0, filter.yEnd());
+    for (std::int32_t x = 0; x < frame.width; ++x)
+    {
+      const bool isMeasured = layers.groundPoints.at(x, y) > 0;
+      layers.evidence.at(x, y) = isMeasured ? kMeasured : grid::kInferredGround;
+      if (isMeasured) continue;
+      const std::int32_t kx = nearest(frame.centreOf(frame.x0 + x), filter.x0, filter.xEnd());
+      layers.ground.at(x, y) = filterSurface.cells()[filter.indexOfKey(kx, ky)];
+    }
+  }
+}
+}  // namespace
+
+GroundLayers mapGround(const cloud::PointCloud& cloud, const UsedPoints& used,
+                       const std::vector<std::uint8_t>& classification,
+                       const Layer<float>& filterSurface, const grid::GridFrame& frame)
+{
+  const Layer<float> unknown(frame, kNone), zero(frame, 0);
+  GroundLayers layers{unknown, zero, unknown, unknown, zero, zero};
+  countPoints(cloud, used, classification, layers);
+  fillGround(filterSurface, layers);
+  for (std::size_t i = 0; i < frame.size(); ++i)
+    if (const float surface = layers.surface.cells()[i]; !std::isnan(surface))
+      layers.aboveGround.cells()[i] = std::max(surface - layers.ground.cells()[i], 0.0F);
+  return layers;
+}
+
+std::vector<grid::StyledLayer> styled(const GroundLayers& layers)
+{
+  return {
+      {"ground", &layers.ground, "Ground", "m", LayerKind::Height},
+      {"evidence", &layers.evidence, "Ground: seen by a beam, or inferred", "",
+       LayerKind::Evidence},
+      {"surface", &layers.surface, "Surface: highest point", "m", LayerKind::Height},
+      {"aboveGround", &layers.aboveGround, "Height above ground", "m", LayerKind::Height},
+      {"groundPoints", &layers.groundPoints, "Ground points of a cell", "points", LayerKind::Slope},
+      {"allPoints", &layers.allPoints, "Points of a cell", "points", LayerKind::Slope}};
+}
+
+}  // namespace mrpt_mapconv::aerial
