@@ -8,15 +8,16 @@ namespace mrpt_mapconv::aerial
 {
 namespace
 {
-constexpr float kStartBelow = 0.05F;      // the lowest cell of the surface [m]
-constexpr std::size_t kStripRows = 32;    // at least 2, the reach of a constraint
-constexpr std::size_t kTurnsOfAStep = 2;  // of each constraint
+constexpr float kStartBelow = 0.05F;          // the lowest cell of the surface [m]
+constexpr std::size_t kStripRows = 32;        // at least 2, the reach of a constraint
+constexpr std::size_t kFewParticles = 32768;  // whose steps are shorter than waking threads
+constexpr std::size_t kTurnsOfAStep = 2;      // of each constraint
 }  // namespace
 
 Cloth::Cloth(const grid::Layer<float>& surface, const GroundParams& params, int threads)
     : m_frame(surface.frame()),
       m_params(params),
-      m_threads(threads),
+      m_threads(m_frame.size() < kFewParticles ? 1 : threads),
       m_base(*std::min_element(surface.cells().begin(), surface.cells().end())),
       m_surface(surface.cells()),
       m_z(m_surface.size(), -kStartBelow),
@@ -26,45 +27,47 @@ Cloth::Cloth(const grid::Layer<float>& surface, const GroundParams& params, int 
   for (float& height : m_surface) height -= m_base;
 }
 
-template <class Work>
-void Cloth::forRows(const Work& work) const
-{
-  const auto width = static_cast<std::size_t>(m_frame.width);
-  grid::inParallel(static_cast<std::size_t>(m_frame.height), m_threads,
-                   [&](std::size_t begin, std::size_t end)
-                   { work(begin * width, (end - begin) * width); });
-}
-
 std::int32_t Cloth::settle()
 {
   m_before = m_z;
-  const auto velocity = static_cast<float>(1 - m_params.damping);
-  const auto gravity = static_cast<float>(m_params.firstMove());
   for (std::int32_t step = 1; step <= m_params.maxIterations; ++step)
   {
-    forRows([&](std::size_t at, std::size_t n)
-            { moveFreely(&m_z[at], &m_before[at], &m_free[at], n, velocity, gravity); });
+    moveByGravity();
     pullTogether();
-    const float move = largestMoveOfAll();
-    forRows([&](std::size_t at, std::size_t n)
-            { stopAt(&m_surface[at], &m_z[at], &m_free[at], n); });
-    if (move < static_cast<float>(m_params.restMove)) return step;
+    if (stopAtSurface() < static_cast<float>(m_params.restMove)) return step;
   }
   return m_params.maxIterations;
 }
 
-float Cloth::largestMoveOfAll() const
+void Cloth::moveByGravity()
+{
+  const auto velocity = static_cast<float>(1 - m_params.damping);
+  const auto gravity = static_cast<float>(m_params.firstMove());
+  const auto width = static_cast<std::size_t>(m_frame.width);
+  grid::inParallel(static_cast<std::size_t>(m_frame.height), m_threads,
+                   [&](std::size_t begin, std::size_t end)
+                   {
+                     const std::size_t at = begin * width;
+                     moveFreely(&m_z[at], &m_before[at], &m_free[at], (end - begin) * width,
+                                velocity, gravity);
+                   });
+}
+
+float Cloth::stopAtSurface()
 {
   const auto width = static_cast<std::size_t>(m_frame.width);
-  std::vector<float> ofRows(static_cast<std::size_t>(m_frame.height));
-  grid::inParallel(ofRows.size(), m_threads,
+  std::vector<float> moves(static_cast<std::size_t>(m_frame.height));
+  grid::inParallel(moves.size(), m_threads,
                    [&](std::size_t begin, std::size_t end)
                    {
                      for (std::size_t y = begin; y < end; ++y)
-                       ofRows[y] = largestMove(&m_z[y * width], &m_before[y * width],
-                                               &m_free[y * width], width);
+                     {
+                       const std::size_t at = y * width;
+                       moves[y] = largestMove(&m_z[at], &m_before[at], &m_free[at], width);
+                       stopAt(&m_surface[at], &m_z[at], &m_free[at], width);
+                     }
                    });
-  return *std::max_element(ofRows.begin(), ofRows.end());
+  return *std::max_element(moves.begin(), moves.end());
 }
 
 void Cloth::pullTogether()

@@ -41,14 +41,14 @@ class Cloth
   grid::Layer<float> heights() const;
 
  private:
-  float largestMoveOfAll() const;
+  void moveByGravity();
   void pullTogether();
   void pullRow(std::size_t y, const Pull& pull, std::vector<float>& scratch);
-  template <class Work>
-  void forRows(const Work& work) const;
+  /** \return how far a particle has moved at most, before it was stopped [m] */
+  float stopAtSurface();
 
   grid::GridFrame m_frame;
-  const GroundParams& m_params;
+  GroundParams m_params;
   int m_threads;
   float m_base;                                 // what heights below are relative to [m]
   std::vector<float> m_surface, m_z, m_before;  // of each particle [m]; m_before: a step ago

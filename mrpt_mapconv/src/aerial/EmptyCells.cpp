@@ -15,7 +15,7 @@ using grid::Layer;
 
 namespace
 {
-constexpr float kSmallestChange = 2e-4F;  // [m] of a cell in a step; then the membrane rests
+constexpr float kSmallestChange = 2e-5F;  // [m] of a cell in a step; then the membrane rests
 constexpr int kMostSteps = 500;
 constexpr float kOverRelaxation = 1.7F;
 constexpr float kNone = std::numeric_limits<float>::quiet_NaN();

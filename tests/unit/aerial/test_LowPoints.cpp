@@ -1,0 +1,83 @@
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "../mrpt_mapconv/src/aerial/LowPoints.h"
+#include "HandCloud.h"
+
+namespace
+{
+using namespace mrpt_mapconv;
+using namespace mrpt_mapconv::test;
+
+aerial::UsedPoints usedAfter(const HandCloud& hand, const aerial::GroundParams& params = {})
+{
+  auto used = aerial::usablePoints(hand.cloud);
+  aerial::leaveOutLowPoints(hand.cloud, params, 1, used);
+  return used;
+}
+
+HandCloud slope()
+{
+  HandCloud hand;
+  addGround(hand, 30, 0.5, [](double x, double) { return 0.7 * x; });
+  return hand;
+}
+}  // namespace
+
+TEST(LowPoints, APointFarBelowTheOthersIsLeftOut)
+{
+  HandCloud hand = slope();
+  const std::size_t low = hand.cloud.size();
+  hand.add(15.1, 15.1, -20, false);
+  const auto used = usedAfter(hand);
+  EXPECT_EQ(used[low], 0);
+  for (std::size_t i = 0; i < low; ++i) EXPECT_EQ(used[i], 1) << i;
+}
+
+TEST(LowPoints, AlsoOneAboveAnother)
+{
+  HandCloud hand = slope();
+  hand.add(15.1, 15.1, -20, false);
+  hand.add(15.2, 15.1, -10, false);
+  const auto used = usedAfter(hand);
+  EXPECT_EQ(used[used.size() - 1], 0);
+  EXPECT_EQ(used[used.size() - 2], 0);
+}
+
+TEST(LowPoints, AHollowWithManyPointsIsGround)
+{
+  HandCloud hand = slope();
+  for (int i = 0; i < 30; ++i) hand.add(15 + 0.02 * i, 15.1, -2, true);
+  for (const auto used : usedAfter(hand)) EXPECT_EQ(used, 1);
+}
+
+TEST(LowPoints, RadiusZeroLeavesNoneOut)
+{
+  HandCloud hand = slope();
+  hand.add(15.1, 15.1, -20, false);
+  aerial::GroundParams params;
+  params.lowPointRadius = 0;
+  EXPECT_EQ(usedAfter(hand, params).back(), 1);
+}
+
+TEST(LowPoints, TwoPointsAreNotJudged)
+{
+  HandCloud hand;
+  hand.add(0, 0, 0, true);
+  hand.add(1, 0, 50, true);
+  EXPECT_EQ(usedAfter(hand), (aerial::UsedPoints{1, 1}));
+}
+
+TEST(UsablePoints, AreThoseThatAreFiniteAndNotWithheld)
+{
+  HandCloud hand;
+  hand.add(0, 0, 0, true);
+  hand.add(1, 0, NAN, true);
+  hand.add(INFINITY, 0, 0, true);
+  hand.add(2, 0, 0, true);
+  hand.cloud.withheld = {0, 0, 0, 1};
+  EXPECT_EQ(aerial::usablePoints(hand.cloud), (aerial::UsedPoints{1, 0, 0, 0}));
+  hand.cloud.withheld = {1, 1, 1, 1};
+  EXPECT_THROW(aerial::usablePoints(hand.cloud), std::runtime_error);
+}
