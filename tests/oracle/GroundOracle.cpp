@@ -2,6 +2,7 @@
 
 #include <mrpt_mapconv/grid/CellKey.h>
 
+#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -142,14 +143,35 @@ std::vector<std::size_t> lonePoints(const cloud::PointCloud& cloud,
 
 namespace
 {
+/** The plane with the least squares to all cells. */
+Layer<double> fittedPlane(const Layer<float>& surface)
+{
+  const GridFrame& f = surface.frame();
+  Eigen::MatrixXd places(f.size(), 3);
+  Eigen::VectorXd heights(f.size());
+  for (int y = 0, i = 0; y < f.height; ++y)
+    for (int x = 0; x < f.width; ++x, ++i)
+    {
+      places.row(i) << x, y, 1;
+      heights(i) = surface.at(x, y);
+    }
+  const Eigen::VectorXd fitted = places * places.colPivHouseholderQr().solve(heights);
+  Layer<double> plane(f, 0);
+  for (std::size_t i = 0; i < f.size(); ++i) plane.cells()[i] = fitted(static_cast<int>(i));
+  return plane;
+}
+
 class SlowCloth
 {
  public:
   SlowCloth(const Layer<float>& surface, const aerial::GroundParams& params)
-      : m_surface(surface), m_f(surface.frame()), m_params(params)
+      : m_f(surface.frame()), m_params(params), m_plane(fittedPlane(surface))
   {
-    const float lowest = *std::min_element(surface.cells().begin(), surface.cells().end());
-    m_z = Layer<double>(m_f, lowest - 0.05);
+    m_surface = m_plane;
+    for (std::size_t i = 0; i < m_f.size(); ++i)
+      m_surface.cells()[i] = surface.cells()[i] - m_plane.cells()[i];
+    m_z = Layer<double>(
+        m_f, *std::min_element(m_surface.cells().begin(), m_surface.cells().end()) - 0.05);
     m_free = Layer<char>(m_f, 1);
   }
 
@@ -178,6 +200,7 @@ class SlowCloth
       before = start;
       if (moved < m_params.restMove) break;
     }
+    for (std::size_t i = 0; i < m_f.size(); ++i) m_z.cells()[i] += m_plane.cells()[i];
     return m_z;
   }
 
@@ -210,9 +233,9 @@ class SlowCloth
     m_z.at(bx, by) += b - startB;
   }
 
-  const Layer<float>& m_surface;
   const GridFrame& m_f;
   const aerial::GroundParams& m_params;
+  Layer<double> m_plane, m_surface;  // the latter above the plane
   Layer<double> m_z;
   Layer<char> m_free;
 };

@@ -31,7 +31,8 @@ grid::Layer<float> opening(const grid::Layer<float>& surface, int radius);
 std::vector<std::size_t> lonePoints(const cloud::PointCloud& cloud,
                                     const aerial::GroundParams& params);
 
-/** A cloth of double heights, particle by particle and constraint by constraint, settled once.
+/** A cloth of double heights, particle by particle and constraint by constraint, settled once
+ * below a surface from which the plane that fits best was taken off.
  * Within a row all constraints of a length are worked on at once, as from the heights before. */
 grid::Layer<double> settledCloth(const grid::Layer<float>& surface,
                                  const aerial::GroundParams& params);

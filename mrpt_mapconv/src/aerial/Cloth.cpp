@@ -1,6 +1,7 @@
 #include "Cloth.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "../grid/Parallel.h"
 
@@ -14,16 +15,18 @@ constexpr std::size_t kFewParticles = 32768;  // whose steps are shorter than wa
 constexpr std::size_t kTurnsOfAStep = 2;      // of each constraint
 }  // namespace
 
-Cloth::Cloth(const grid::Layer<float>& surface, const GroundParams& params, int threads)
+Cloth::Cloth(grid::Layer<float> surface, const GroundParams& params, int threads)
     : m_frame(surface.frame()),
       m_params(params),
       m_threads(m_frame.size() < kFewParticles ? 1 : threads),
-      m_base(*std::min_element(surface.cells().begin(), surface.cells().end())),
-      m_surface(surface.cells()),
-      m_z(m_surface.size(), -kStartBelow),
+      m_slope(MeanSlope::of(surface)),
+      m_z(m_frame.size(), -kStartBelow),
       m_before(m_z),
       m_free(m_z.size(), 1)
 {
+  tilt(surface, -m_slope);
+  m_surface = std::move(surface.cells());
+  m_base = *std::min_element(m_surface.begin(), m_surface.end());
   for (float& height : m_surface) height -= m_base;
 }
 
@@ -118,6 +121,7 @@ grid::Layer<float> Cloth::heights() const
 {
   grid::Layer<float> heights(m_frame, 0);
   for (std::size_t i = 0; i < m_z.size(); ++i) heights.cells()[i] = m_z[i] + m_base;
+  tilt(heights, m_slope);
   return heights;
 }
 

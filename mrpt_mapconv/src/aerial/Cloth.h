@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ClothRows.h"
+#include "MeanSlope.h"
 
 namespace mrpt_mapconv::aerial
 {
@@ -24,8 +25,9 @@ namespace mrpt_mapconv::aerial
 class Cloth
 {
  public:
-  /** Lies flat just below the surface. \param surface heights without gaps [m] */
-  Cloth(const grid::Layer<float>& surface, const GroundParams& params, int threads);
+  /** Lies just below the surface, as steep as that is on the whole. \param surface heights without
+   * gaps [m] */
+  Cloth(grid::Layer<float> surface, const GroundParams& params, int threads);
 
   /** Starts from rest and moves until it rests or maxIterations are done.
    * \return the number of steps */
@@ -50,7 +52,8 @@ class Cloth
   grid::GridFrame m_frame;
   GroundParams m_params;
   int m_threads;
-  float m_base;                                 // what heights below are relative to [m]
+  MeanSlope m_slope;                            // the heights below are without it
+  float m_base = 0;                             // what they are relative to [m]
   std::vector<float> m_surface, m_z, m_before;  // of each particle [m]; m_before: a step ago
   std::vector<float> m_free;                    // 1 for particles that can move, else 0
 };

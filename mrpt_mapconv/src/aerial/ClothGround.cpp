@@ -1,3 +1,5 @@
+#include <utility>
+
 #include "Cloth.h"
 #include "EmptyCells.h"
 #include "GroundSurface.h"
@@ -9,7 +11,15 @@ namespace mrpt_mapconv::aerial
 namespace
 {
 constexpr std::int32_t kMargin = 2;  // of cloth beyond the cloud, as published [particles]
+
+grid::Layer<float> toleranceOf(const grid::Layer<float>& ground, const GroundParams& params)
+{
+  grid::Layer<float> tolerance = slopeOf(ground);
+  for (float& cell : tolerance.cells())
+    cell = static_cast<float>(params.heightThreshold + params.heightScale * cell);
+  return tolerance;
 }
+}  // namespace
 
 GroundSurface clothGround(const cloud::PointCloud& cloud, const UsedPoints& used,
                           const GroundParams& params, int threads)
@@ -27,7 +37,9 @@ GroundSurface clothGround(const cloud::PointCloud& cloud, const UsedPoints& used
     drawOn(cloth, measured, params, threads);
     cloth.settle();
   }
-  return {cloth.heights(), {frame, static_cast<float>(params.heightThreshold)}};
+  grid::Layer<float> ground = cloth.heights();
+  grid::Layer<float> tolerance = toleranceOf(ground, params);
+  return {std::move(ground), std::move(tolerance)};
 }
 
 }  // namespace mrpt_mapconv::aerial

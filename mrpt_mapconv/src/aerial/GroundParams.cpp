@@ -16,6 +16,7 @@ void checkCloth(const GroundParams& p)
   require(p.rigidness >= 1 && p.rigidness <= 15, "rigidness", p.rigidness, "within 1 and 15");
   require(within(p.heightThreshold, 0, 100), "heightThreshold", p.heightThreshold,
           "within 0 and 100 m");
+  require(within(p.heightScale, 0, 100), "heightScale", p.heightScale, "within 0 and 100 m");
   require(within(p.timeStep, 0.01, 2), "timeStep", p.timeStep, "within 0.01 and 2");
   require(within(p.gravity, 1e-6, 100), "gravity", p.gravity, "within 0.000001 and 100");
   require(within(p.damping, 0, 1), "damping", p.damping, "within 0 and 1");

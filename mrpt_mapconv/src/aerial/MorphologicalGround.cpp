@@ -1,4 +1,3 @@
-#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -51,24 +50,6 @@ void markObjects(Layer<float> surface, const GroundParams& params, int threads,
   }
 }
 
-/** Of a surface without gaps, over both neighbours in x and y [m/m]. */
-Layer<float> slopeOf(const Layer<float>& surface)
-{
-  const grid::GridFrame& f = surface.frame();
-  Layer<float> slope(f, 0);
-  for (std::int32_t y = 0; y < f.height; ++y)
-    for (std::int32_t x = 0; x < f.width; ++x)
-    {
-      const std::int32_t left = std::max(x - 1, 0), right = std::min(x + 1, f.width - 1);
-      const std::int32_t down = std::max(y - 1, 0), up = std::min(y + 1, f.height - 1);
-      const double dx = std::max(right - left, 1) * f.resolution;
-      const double dy = std::max(up - down, 1) * f.resolution;
-      slope.at(x, y) =
-          static_cast<float>(std::hypot((surface.at(right, y) - surface.at(left, y)) / dx,
-                                        (surface.at(x, up) - surface.at(x, down)) / dy));
-    }
-  return slope;
-}
 }  // namespace
 
 GroundSurface morphologicalGround(const cloud::PointCloud& cloud, const UsedPoints& used,

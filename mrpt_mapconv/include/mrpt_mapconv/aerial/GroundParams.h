@@ -39,6 +39,7 @@ struct GroundParams
   double clothResolution = 0.5;  //!< [m]
   std::int32_t rigidness = 3;
   double heightThreshold = 0.2;  //!< [m]
+  double heightScale = 0.25;     //!< [m]
   double timeStep = 0.65;
   double gravity = 0.2;
   double damping = 0.01;
@@ -74,6 +75,8 @@ struct GroundParams
       flag("N"));
     v("heightThreshold", p.heightThreshold, "m",
       "points at most this high above the cloth are ground", flag("M"));
+    v("heightScale", p.heightScale, "m",
+      "is added to heightThreshold times the cloth's slope; 0: as published", flag("M"));
     v("timeStep", p.timeStep, "", "of the cloth's simulation", flag("T"));
     v("gravity", p.gravity, "", "that presses the cloth against the cloud", flag("G"));
     v("damping", p.damping, "", "share of its velocity that a particle loses in a step",
