@@ -69,10 +69,11 @@ int main(int argc, char** argv)
       "Example:\n  mapconv convert building.bt -o maps --max-step 0.1\n"
       "`mapconv SUBCOMMAND --help` says more. Exit status: 0 done, 1 error, 2 wrong usage.");
   const std::vector<std::pair<CLI::App*, mapconv::Command>> commands = {
-      mapconv::addConvert(app),  mapconv::addProject(app),      mapconv::addInsert(app),
-      mapconv::addTerrain(app),  mapconv::addPlan(app),         mapconv::addLift(app),
-      mapconv::addInfo(app),     mapconv::addRun(app, program), mapconv::addSampleMap(app),
-      mapconv::addSimulate(app), mapconv::addExperiment(app),   mapconv::addParams(app)};
+      mapconv::addConvert(app),   mapconv::addProject(app),  mapconv::addInsert(app),
+      mapconv::addTerrain(app),   mapconv::addGround(app),   mapconv::addPlan(app),
+      mapconv::addLift(app),      mapconv::addInfo(app),     mapconv::addRun(app, program),
+      mapconv::addSampleMap(app), mapconv::addSimulate(app), mapconv::addExperiment(app),
+      mapconv::addParams(app)};
   try
   {
     std::reverse(arguments.begin(), arguments.end());  // as CLI11 wants them

@@ -185,10 +185,7 @@ class SlowCloth
         if (m_free.cells()[i])
           m_z.cells()[i] += (m_z.cells()[i] - before.cells()[i]) * (1 - m_params.damping) +
                             m_params.gravity * std::pow(m_params.timeStep, 4);
-      for (int turn = 0; turn < 2; ++turn)
-        for (const bool odd : {false, true})
-          for (int y = 0; y < m_f.height; ++y)
-            if ((y / 32 % 2 == 1) == odd) pullRow(y);
+      for (int turn = 0; turn < 2; ++turn) pullAll();
       double moved = 0;
       for (std::size_t i = 0; i < m_f.size(); ++i)
       {

@@ -63,7 +63,7 @@ TEST(GroundThreads, AnyNumberOfThreadsGivesTheSameGround)
       SCOPED_TRACE("seed " + std::to_string(seed));
       Rng rng(seed);
       // so wide that the cloth is worth several threads
-      const auto cloud = randomCloud(rng, 8000, 80);
+      const auto cloud = randomCloud(rng, 8000, 130);
       const auto params = randomParams(rng, filter);
       const Ground one = aerial::findGround(cloud, params, 1);
       for (const int threads : {2, 3}) expectSame(aerial::findGround(cloud, params, threads), one);

@@ -18,6 +18,7 @@ std::pair<CLI::App*, Command> addConvert(CLI::App& app);
 std::pair<CLI::App*, Command> addProject(CLI::App& app);
 std::pair<CLI::App*, Command> addInsert(CLI::App& app);
 std::pair<CLI::App*, Command> addTerrain(CLI::App& app);
+std::pair<CLI::App*, Command> addGround(CLI::App& app);
 std::pair<CLI::App*, Command> addInfo(CLI::App& app);
 std::pair<CLI::App*, Command> addParams(CLI::App& app);
 std::pair<CLI::App*, Command> addRun(CLI::App& app, std::vector<std::string> program);

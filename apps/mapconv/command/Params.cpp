@@ -1,3 +1,4 @@
+#include <mrpt_mapconv/aerial/GroundParams.h>
 #include <mrpt_mapconv/freespace/ConversionOptions.h>
 #include <mrpt_mapconv/freespace/FreeSpaceScene.h>
 #include <mrpt_mapconv/maps/GridInsertionOptions.h>
@@ -71,6 +72,8 @@ std::string parametersText()
       tableOf<terrain::TTerrainInsertionOptions>("`_insertOpts`; `[terrainInsertion]`", "terrain");
   text += tableOf<terrain::TTerrainOptions>("`_terrainOpts`; `[terrain]`", "terrain");
   text += tableOf<terrain::TTerrainSceneOptions>("`_renderOpts`", "");
+  text += "\n## `mapconv ground`\n";
+  text += tableOf<aerial::GroundParams>("`[ground]`", "ground");
   text +=
       "\n`_likelihoodOpts` of all are those of COccupancyGridMap2D. `_creationOpts` also have the "
       "flags of all of MRPT's maps:\n`enableSaveAs3DObject`, `enableObservationLikelihood`, "

@@ -32,6 +32,19 @@ std::string nameIn(const mrpt::config::CConfigFileBase& ini, const IniSection& s
 /** Warns about keys that nobody has read, naming the file. */
 void warnUnknownKeys(const mrpt_mapconv::params::StrictSection& section, const std::string& path);
 
+/** Reads the fields of a struct that has a list of them, and warns about keys that it does not
+ * have. \param path what warnings name \exception std::runtime_error, std::invalid_argument naming
+ * section, key and value */
+template <class Options>
+void readOptions(const mrpt::config::CConfigFileBase& ini, const std::string& name,
+                 const std::string& path, Options& options)
+{
+  mrpt_mapconv::params::StrictSection section(ini, name);
+  mrpt_mapconv::params::readFields(section, options);
+  section.checked([&options] { options.check(); });
+  warnUnknownKeys(section, path);
+}
+
 /** The keys of a section that have other values than by default. */
 template <class Options>
 std::vector<std::string> changedKeys(const mrpt_mapconv::params::StrictSection& section,

@@ -2,7 +2,6 @@
 
 #include <mrpt_mapconv/cloud/CloudFile.h>
 #include <mrpt_mapconv/files/ObjectFile.h>
-#include <mrpt_mapconv/maps/OctoMapAccess.h>
 #include <mrpt_mapconv/observation/TrajectoryFile.h>
 #include <mrpt_mapconv/params/Require.h>
 #include <mrpt_mapconv/params/Text.h>
@@ -19,6 +18,7 @@
 #include <vector>
 
 #include "input/InputFile.h"
+#include "input/MapOrScans.h"
 #include "input/ScanFile.h"
 #include "output/Console.h"
 #include "output/Json.h"
@@ -152,27 +152,13 @@ void InputMap::readTree(files::InputStream& stream, const InputRequest& request)
 
 void InputMap::readObject(files::ObjectFile& file, const InputRequest& request, Progress& progress)
 {
-  std::string others;
-  for (auto object = file.peek(); object; file.next(), object = file.peek())
-  {
-    if (const auto kind = logKindOf(*object)) return buildFromScans(file, *kind, request, progress);
-    const std::string name = object->GetRuntimeClass()->className;
-    if (const auto* tree = maps::octreeIn(*object))
-    {
-      if (tree->size() == 0)
-        throw std::runtime_error(file.path() + ": the octomap in its " + name +
-                                 " is empty: not one voxel is known");
-      m_object = object;
-      useTree(*tree);
-      m_description = name + " (" + tree->getTreeType() + ")";
-      noteScanOptions(request, m_source->resolution(), m_noEffect);
-      applyThreshold(request);
-      return;
-    }
-    others += (others.empty() ? "a " : ", a ") + name;
-  }
-  throw std::runtime_error(file.path() + ": holds no octomap and no scans, but " +
-                           (others.empty() ? "no object at all" : others));
+  const MapOrScans found = findMapOrScans(file);
+  if (found.scans) return buildFromScans(file, *found.scans, request, progress);
+  m_object = found.object;
+  useTree(*found.tree);
+  m_description = found.description;
+  noteScanOptions(request, m_source->resolution(), m_noEffect);
+  applyThreshold(request);
 }
 
 void InputMap::buildFromCloud(files::InputStream& stream, const InputRequest& request,

@@ -1,5 +1,6 @@
 #include "input/InputOptions.h"
 
+#include <mrpt_mapconv/files/CloudFormat.h>
 #include <mrpt_mapconv/voxel/VoxelMapParams.h>
 
 #include <CLI/CLI.hpp>
@@ -73,6 +74,21 @@ void addPoseOptions(CLI::App& app, observation::RawlogOptions& options)
                      params::textOf(options.maxPoseGap))
       ->check(isNotNegative())
       ->type_name("S");
+}
+
+void addColumnsOption(CLI::App& app, std::string& columns)
+{
+  app.add_option("--columns", columns,
+                 "names of a text's columns, such as x,y,z,_,time, if it has no line of them")
+      ->type_name("NAMES");
+}
+
+void noteColumns(const std::string& columns, files::InputStream& stream, NoEffect& noEffect)
+{
+  // columns can only be named where there are no names
+  const auto format = files::cloudFormatOf({stream.name(), stream.preview(), stream.fileSize()});
+  if (!columns.empty() && format != files::CloudFormat::Text)
+    noEffect.add({"--columns"}, stream.name() + " is no text of points");
 }
 
 void addThreadsOption(CLI::App& app, int& threads)

@@ -20,16 +20,6 @@ const IniSection kMap{"map"};
 const IniSection kInsertion{"terrainInsertion"};
 const IniSection kTerrain{"terrain"};
 
-template <class Options>
-void readSection(const CConfigFileMemory& ini, const std::string& name, const std::string& path,
-                 Options& options)
-{
-  StrictSection section(ini, name);
-  params::readFields(section, options);
-  section.checked([&options] { options.check(); });
-  warnUnknownKeys(section, path);
-}
-
 /** Keys and flags for the robot's pose, which logs with covariances make useless. */
 std::vector<std::string> poseSigmas(const CConfigFileMemory& file, const std::string& path,
                                     const TerrainFlags& flags)
@@ -68,9 +58,9 @@ TerrainSettings readTerrainSettings(const std::string& iniFile, const TerrainFla
   TerrainSettings settings;
   try
   {
-    readSection(ini, kMap.name, path, settings.grid);
-    readSection(ini, kInsertion.name, path, settings.insertion);
-    readSection(ini, kTerrain.name, path, settings.terrain);
+    readOptions(ini, kMap.name, path, settings.grid);
+    readOptions(ini, kInsertion.name, path, settings.insertion);
+    readOptions(ini, kTerrain.name, path, settings.terrain);
   }
   catch (const std::exception& error)
   {

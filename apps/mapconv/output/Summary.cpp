@@ -61,7 +61,7 @@ std::string secondsText(const Seconds& seconds)
   return "seconds      " + stages + "\n";
 }
 
-JsonObject summaryJson(const SummaryHead& head, const OccupancyCounts& counts)
+JsonObject headJson(const SummaryHead& head)
 {
   const GridFrame& frame = head.frame;
   JsonObject json;
@@ -73,7 +73,12 @@ JsonObject summaryJson(const SummaryHead& head, const OccupancyCounts& counts)
   if (!head.reference.isLocal())
     json.add("originX", origin.x).add("originY", origin.y).add("originZ", origin.z);
   if (!head.reference.coordinateSystem.empty()) json.add("crs", head.reference.coordinateSystem);
-  json.add("cells", frame.size());
+  return json.add("cells", frame.size());
+}
+
+JsonObject summaryJson(const SummaryHead& head, const OccupancyCounts& counts)
+{
+  JsonObject json = headJson(head);
   json.add("free", counts.free).add("occupied", counts.occupied).add("unknown", counts.unknown);
   return json;
 }

@@ -36,7 +36,9 @@ std::string fromTo(const std::string& from, const std::string& to);
 /** The last line: the stages and how long they took. */
 std::string secondsText(const Seconds& seconds);
 
-/** The JSON object with what every summary has. */
+/** The JSON object with what every summary begins with. */
+JsonObject headJson(const SummaryHead& head);
+/** The same, and how many cells of an occupancy layer are what. */
 JsonObject summaryJson(const SummaryHead& head, const OccupancyCounts& counts);
 JsonObject secondsJson(const Seconds& seconds);
 

@@ -9,10 +9,10 @@ namespace mrpt_mapconv::aerial
 {
 namespace
 {
-constexpr float kStartBelow = 0.05F;          // the lowest cell of the surface [m]
-constexpr std::size_t kStripRows = 32;        // at least 2, the reach of a constraint
-constexpr std::size_t kFewParticles = 32768;  // whose steps are shorter than waking threads
-constexpr std::size_t kTurnsOfAStep = 2;      // of each constraint
+constexpr float kStartBelow = 0.05F;           // the lowest cell of the surface [m]
+constexpr std::size_t kFewParticles = 131072;  // whose steps are shorter than waking threads
+constexpr std::size_t kTurnsOfAStep = 2;       // of each constraint
+constexpr std::size_t kStripRows = 64;         // at least 2, the reach of a constraint
 }  // namespace
 
 Cloth::Cloth(grid::Layer<float> surface, const GroundParams& params, int threads)
@@ -75,40 +75,47 @@ float Cloth::stopAtSurface()
 
 void Cloth::pullTogether()
 {
+  const Pull pull = Pull::ofPasses(m_params.rigidness);
   const auto rows = static_cast<std::size_t>(m_frame.height);
   const std::size_t strips = (rows + kStripRows - 1) / kStripRows;
-  const Pull pull = Pull::ofPasses(m_params.rigidness);
-  for (std::size_t turn = 0; turn < kTurnsOfAStep; ++turn)
-    for (const std::size_t parity : {0U, 1U})
-      grid::inParallel((strips + 1 - parity) / 2, m_threads,
-                       [&](std::size_t begin, std::size_t end)
-                       {
-                         std::vector<float> scratch(static_cast<std::size_t>(m_frame.width));
-                         for (std::size_t k = begin; k < end; ++k)
-                         {
-                           const std::size_t first = (2 * k + parity) * kStripRows;
-                           for (std::size_t y = first; y < std::min(first + kStripRows, rows); ++y)
-                             pullRow(y, pull, scratch);
-                         }
-                       });
+  const auto pullStrip = [&](std::size_t strip)
+  {
+    std::vector<float> scratch(static_cast<std::size_t>(m_frame.width));
+    const std::size_t first = strip * kStripRows;
+    for (std::size_t y = first; y < std::min(first + kStripRows, rows); ++y)
+      pullRow(y, pull, scratch);
+  };
+  // turns follow each other through the strips at a distance at which they share no row
+  constexpr std::size_t kLag = 2;
+  for (std::size_t at = 0; at < strips + (kTurnsOfAStep - 1) * kLag; ++at)
+    grid::inParallel(kTurnsOfAStep, m_threads,
+                     [&](std::size_t begin, std::size_t end)
+                     {
+                       for (std::size_t turn = begin; turn < end; ++turn)
+                         if (at >= turn * kLag && at - turn * kLag < strips)
+                           pullStrip(at - turn * kLag);
+                     });
 }
 
 void Cloth::pullRow(std::size_t y, const Pull& pull, std::vector<float>& scratch)
 {
   const auto width = static_cast<std::size_t>(m_frame.width);
-  const auto from = [&](std::size_t iy, std::size_t ix) {
-    return ParticleRow{&m_z[iy * width + ix], &m_free[iy * width + ix]};
-  };
   for (const std::size_t reach : {1U, 2U})
   {
-    pullAlong(from(y, 0), width, reach, pull, scratch.data());
+    pullAlong(particles(0, y), width, reach, pull, scratch.data());
     const std::size_t other = y + reach;
     if (other >= static_cast<std::size_t>(m_frame.height)) continue;
-    pullAcross(from(y, 0), from(other, 0), width, pull);
+    pullAcross(particles(0, y), particles(0, other), width, pull);
     if (width <= reach) continue;
-    pullAcross(from(y, 0), from(other, reach), width - reach, pull);
-    pullAcross(from(y, reach), from(other, 0), width - reach, pull);
+    pullAcross(particles(0, y), particles(reach, other), width - reach, pull);
+    pullAcross(particles(reach, y), particles(0, other), width - reach, pull);
   }
+}
+
+ParticleRow Cloth::particles(std::size_t x, std::size_t y)
+{
+  const std::size_t at = y * static_cast<std::size_t>(m_frame.width) + x;
+  return {&m_z[at], &m_free[at]};
 }
 
 void Cloth::fix(std::size_t cell)

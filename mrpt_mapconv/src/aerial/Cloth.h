@@ -20,8 +20,9 @@ namespace mrpt_mapconv::aerial
  * constraint by 0.3 of their difference, or the free one of them, and all `rigidness` passes are
  * made at once, as in the published code, where each constraint also has its turn twice a step.
  *
- * Constraints are worked on in strips of rows, first the even ones, then the odd ones, so that the
- * result is the same for any number of threads. */
+ * Constraints are worked on row by row, upwards. The second turn follows the first through the
+ * cloth at a distance, so two threads give what one would. (Strips of rows side by side are faster
+ * on more threads, but leave creases where they meet.) */
 class Cloth
 {
  public:
@@ -46,6 +47,7 @@ class Cloth
   void moveByGravity();
   void pullTogether();
   void pullRow(std::size_t y, const Pull& pull, std::vector<float>& scratch);
+  ParticleRow particles(std::size_t x, std::size_t y);  // from there on to the right
   /** \return how far a particle has moved at most, before it was stopped [m] */
   float stopAtSurface();
 

@@ -1,3 +1,4 @@
+#include <cmath>
 #include <utility>
 
 #include "Cloth.h"
@@ -14,7 +15,9 @@ constexpr std::int32_t kMargin = 2;  // of cloth beyond the cloud, as published 
 
 grid::Layer<float> toleranceOf(const grid::Layer<float>& ground, const GroundParams& params)
 {
-  grid::Layer<float> tolerance = slopeOf(ground);
+  constexpr double kSlopeReach = 2;  // [m]; what is smaller is no slope but something on it
+  const auto reach = static_cast<std::int32_t>(std::ceil(kSlopeReach / params.clothResolution));
+  grid::Layer<float> tolerance = slopeOf(ground, reach);
   for (float& cell : tolerance.cells())
     cell = static_cast<float>(params.heightThreshold + params.heightScale * cell);
   return tolerance;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "GroundSurface.h"
+
 namespace mrpt_mapconv::aerial
 {
 using grid::Layer;
@@ -32,28 +34,19 @@ void countPoints(const cloud::PointCloud& cloud, const UsedPoints& used,
   }
 }
 
-/** Gives cells without a ground point what is nearest on the filter's surface. */
+/** Gives cells without a ground point the height of the filter's surface at their centre. */
 void fillGround(const Layer<float>& filterSurface, GroundLayers& layers)
 {
   const grid::GridFrame& frame = layers.ground.frame();
-  const grid::GridFrame& filter = filterSurface.frame();
-  const auto nearest = [&](double metres, std::int32_t first, std::int32_t end)
-  {
-    const double shifted = metres - filter.shift * filter.resolution;
-    return std::clamp(grid::cellKey(shifted, filter.resolution), first, end - 1);
-  };
   for (std::int32_t y = 0; y < frame.height; ++y)
-  {
-    const std::int32_t ky = nearest(frame.centreOf(frame.y0 + y), filter.y0, filter.yEnd());
     for (std::int32_t x = 0; x < frame.width; ++x)
     {
       const bool isMeasured = layers.groundPoints.at(x, y) > 0;
       layers.evidence.at(x, y) = isMeasured ? kMeasured : grid::kInferredGround;
-      if (isMeasured) continue;
-      const std::int32_t kx = nearest(frame.centreOf(frame.x0 + x), filter.x0, filter.xEnd());
-      layers.ground.at(x, y) = filterSurface.cells()[filter.indexOfKey(kx, ky)];
+      if (!isMeasured)
+        layers.ground.at(x, y) =
+            interpolate(filterSurface, frame.centreOf(frame.x0 + x), frame.centreOf(frame.y0 + y));
     }
-  }
 }
 }  // namespace
 
@@ -73,14 +66,15 @@ GroundLayers mapGround(const cloud::PointCloud& cloud, const UsedPoints& used,
 
 std::vector<grid::StyledLayer> styled(const GroundLayers& layers)
 {
-  return {
+  std::vector<grid::StyledLayer> all{
       {"ground", &layers.ground, "Ground", "m", LayerKind::Height},
-      {"evidence", &layers.evidence, "Ground: seen by a beam, or inferred", "",
-       LayerKind::Evidence},
+      {"evidence", &layers.evidence, "Ground: measured, or inferred", "", LayerKind::Evidence},
       {"surface", &layers.surface, "Surface: highest point", "m", LayerKind::Height},
-      {"aboveGround", &layers.aboveGround, "Height above ground", "m", LayerKind::Height},
-      {"groundPoints", &layers.groundPoints, "Ground points of a cell", "points", LayerKind::Slope},
-      {"allPoints", &layers.allPoints, "Points of a cell", "points", LayerKind::Slope}};
+      {"aboveGround", &layers.aboveGround, "Height above ground", "m", LayerKind::Slope},
+      {"groundPoints", &layers.groundPoints, "Ground points in a cell", "points", LayerKind::Slope},
+      {"allPoints", &layers.allPoints, "Points in a cell", "points", LayerKind::Slope}};
+  for (auto& layer : all) layer.hillShaded = layer.name == "ground" || layer.name == "surface";
+  return all;
 }
 
 }  // namespace mrpt_mapconv::aerial

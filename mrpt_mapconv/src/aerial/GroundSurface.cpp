@@ -34,15 +34,15 @@ float interpolate(const grid::Layer<float>& layer, double x, double y)
   return mix(inRow(v.lower), inRow(v.upper), v.share);
 }
 
-grid::Layer<float> slopeOf(const grid::Layer<float>& surface)
+grid::Layer<float> slopeOf(const grid::Layer<float>& surface, std::int32_t reach)
 {
   const grid::GridFrame& f = surface.frame();
   grid::Layer<float> slope(f, 0);
   for (std::int32_t y = 0; y < f.height; ++y)
     for (std::int32_t x = 0; x < f.width; ++x)
     {
-      const std::int32_t left = std::max(x - 1, 0), right = std::min(x + 1, f.width - 1);
-      const std::int32_t down = std::max(y - 1, 0), up = std::min(y + 1, f.height - 1);
+      const std::int32_t left = std::max(x - reach, 0), right = std::min(x + reach, f.width - 1);
+      const std::int32_t down = std::max(y - reach, 0), up = std::min(y + reach, f.height - 1);
       const double dx = std::max(right - left, 1) * f.resolution;
       const double dy = std::max(up - down, 1) * f.resolution;
       slope.at(x, y) =

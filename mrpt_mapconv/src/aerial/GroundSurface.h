@@ -30,8 +30,9 @@ GroundSurface clothGround(const cloud::PointCloud& cloud, const UsedPoints& used
 GroundSurface morphologicalGround(const cloud::PointCloud& cloud, const UsedPoints& used,
                                   const GroundParams& params, int threads);
 
-/** How steep a surface without gaps is at each cell, over its neighbours in x and y [m/m]. */
-grid::Layer<float> slopeOf(const grid::Layer<float>& surface);
+/** How steep a surface without gaps is at each cell, from `reach` cells before to as many behind it
+ * in x and y [m/m]. */
+grid::Layer<float> slopeOf(const grid::Layer<float>& surface, std::int32_t reach);
 
 /** A layer's value at a place between the centres of its cells [m]: bilinear, as of the nearest
  * such place beyond the outermost ones. */

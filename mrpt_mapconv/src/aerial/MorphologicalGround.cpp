@@ -67,7 +67,7 @@ GroundSurface morphologicalGround(const cloud::PointCloud& cloud, const UsedPoin
   forget(ground, others);
   fillEmptyCells(ground, threads);
 
-  Layer<float> tolerance = slopeOf(ground);
+  Layer<float> tolerance = slopeOf(ground, 1);
   for (float& cell : tolerance.cells())
     cell = static_cast<float>(params.smrfThreshold + params.smrfScale * cell);
   return {std::move(ground), std::move(tolerance)};

@@ -32,6 +32,21 @@ std::optional<CloudFormat> formatOf(files::InputStream& stream)
                            ": is no file of points that is read here: .las, .ply, .pcd, text "
                            "(.xyz, .txt, .csv) or KITTI's .bin (of 16 bytes a point)");
 }
+
+using Writer = void (*)(const std::string& path, const PointCloud& cloud);
+
+Writer writerFor(const std::string& path)
+{
+  const std::string ending = params::lowerCase(std::filesystem::path(path).extension().string());
+  if (ending == ".las") return &writeLas;
+  if (ending == ".ply") return &writePly;
+  if (ending == ".pcd") return &writePcd;
+  if (ending == ".bin") return &writeKitti;
+  if (ending == ".csv" || ending == ".xyz" || ending == ".txt") return &writeText;
+  throw std::runtime_error("cannot write '" + path +
+                           "': a cloud of points is written as .las, .ply, .pcd, .xyz, .txt, "
+                           ".csv or .bin (KITTI)");
+}
 }  // namespace
 
 bool isCloud(files::InputStream& stream) { return formatOf(stream).has_value(); }
@@ -63,25 +78,13 @@ PointCloud readCloudFile(const std::string& path, const CloudReading& reading)
   return readCloud(stream, reading);
 }
 
+void requireCloudName(const std::string& path) { writerFor(path); }
+
 void writeCloudFile(const std::string& path, const PointCloud& cloud)
 {
-  const std::string ending = params::lowerCase(std::filesystem::path(path).extension().string());
+  const Writer write = writerFor(path);
   files::AtomicFile file(path);
-  const std::string& to = file.stagingPath();
-  if (ending == ".las")
-    writeLas(to, cloud);
-  else if (ending == ".ply")
-    writePly(to, cloud);
-  else if (ending == ".pcd")
-    writePcd(to, cloud);
-  else if (ending == ".bin")
-    writeKitti(to, cloud);
-  else if (ending == ".csv" || ending == ".xyz" || ending == ".txt")
-    writeText(to, cloud);
-  else
-    throw std::runtime_error("cannot write '" + path +
-                             "': a cloud of points is written as .las, .ply, .pcd, .xyz, .txt, "
-                             ".csv or .bin (KITTI)");
+  write(file.stagingPath(), cloud);
   file.commit();
 }
 

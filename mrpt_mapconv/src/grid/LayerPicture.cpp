@@ -8,6 +8,7 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "HillShading.h"
 #include "OccupancyLook.h"
 #include "PictureAxes.h"
 #include "PictureLegend.h"
@@ -40,13 +41,18 @@ void addRange(Content& content, const Metrics& metrics, const ColorRange& range,
                                                number(range.dataMax, 2) + " " + unit));
 }
 
-Content heightContent(const Layer<float>& layer, const std::string& unit, const Zoom& zoom,
-                      const Metrics& metrics)
+Content heightContent(const StyledLayer& styled, const Zoom& zoom, const Metrics& metrics)
 {
+  const Layer<float>& layer = *styled.layer;
   const ColorRange range = heightRange(layer);
   Content content;
   content.raster = rasterOfHeights(layer, range, zoom);
-  addRange(content, metrics, range, unit, heightColor);
+  addRange(content, metrics, range, styled.unit, heightColor);
+  if (styled.hillShaded && !range.empty)
+  {
+    shadeHills(layer, zoom, content.raster);
+    content.legend.push_back(note(metrics, "slopes are shaded as by light from the north-west"));
+  }
   return content;
 }
 
@@ -117,7 +123,7 @@ Content contentOf(const StyledLayer& styled, const Zoom& zoom, const Metrics& me
     case LayerKind::Height:
       break;
   }
-  return heightContent(*styled.layer, styled.unit, zoom, metrics);
+  return heightContent(styled, zoom, metrics);
 }
 
 /** "60 x 40 cells of 0.1 m; corners (-1.50, 2.00) and (4.50, 6.00) m" */

@@ -36,8 +36,8 @@ Raster rasterize(const GridFrame& frame, const Zoom& zoom, ColorOf colorOf)
   }
   return out;
 }
+}  // namespace
 
-/** The mean of the finite cells of a block; NaN if there are none. */
 double meanOf(const Layer<float>& layer, int x0, int x1, int y0, int y1)
 {
   double sum = 0;
@@ -51,7 +51,6 @@ double meanOf(const Layer<float>& layer, int x0, int x1, int y0, int y1)
       }
   return sum / count;  // 0 / 0 is NaN
 }
-}  // namespace
 
 Zoom zoomFor(const GridFrame& frame)
 {

@@ -20,6 +20,9 @@ struct Zoom
 /** At least 800 and, beyond 2400 cells, at most 2400 pixels on the long side. */
 Zoom zoomFor(const GridFrame& frame);
 
+/** The mean of the finite cells of a block, ends excluded; NaN if there are none. */
+double meanOf(const Layer<float>& layer, int x0, int x1, int y0, int y1);
+
 /** Pixels of a map, the first row the highest y. */
 struct Raster
 {

@@ -44,18 +44,18 @@ TEST(GroundMap, ACellHasItsLowestGroundPointAndItsHighestPoint)
   EXPECT_EQ(layers.allPoints.at(1, 0), 4);
 }
 
-TEST(GroundMap, ACellWithoutAGroundPointHasTheNearestParticlesHeight)
+TEST(GroundMap, ACellWithoutAGroundPointLiesBetweenTheNearestParticles)
 {
   HandCloud hand;
   hand.add(0.1, 0.1, 7, false);
   const auto layers = mapOf(hand, {1});
-  EXPECT_EQ(layers.ground.at(0, 0), 0);   // centre 0.125
-  EXPECT_EQ(layers.ground.at(1, 0), 1);   // 0.375: the particle at 0.5
-  EXPECT_EQ(layers.ground.at(2, 3), 21);  // (0.625, 0.875): (0.5, 1)
+  EXPECT_EQ(layers.ground.at(0, 0), 2.75F);   // centre (0.125, 0.125): between 0, 1, 10 and 11
+  EXPECT_EQ(layers.ground.at(1, 0), 3.25F);   // (0.375, 0.125)
+  EXPECT_EQ(layers.ground.at(2, 3), 18.75F);  // (0.625, 0.875): between 11, 12, 21 and 22
   EXPECT_EQ(layers.evidence.at(0, 0), 2);
   EXPECT_EQ(layers.groundPoints.at(0, 0), 0);
   EXPECT_EQ(layers.allPoints.at(0, 0), 1);
-  EXPECT_EQ(layers.aboveGround.at(0, 0), 7);
+  EXPECT_EQ(layers.aboveGround.at(0, 0), 4.25F);
 }
 
 TEST(GroundMap, ACellWithoutPointsHasNoSurface)

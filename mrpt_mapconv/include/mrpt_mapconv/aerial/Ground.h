@@ -14,8 +14,8 @@ namespace mrpt_mapconv::aerial
  * cloud, less its origin [m]. */
 struct GroundLayers
 {
-  /** The lowest ground point of the cell; without one, what the filter's surface has nearest to the
-   * cell's centre: the cloth's particle or smrf's cell. */
+  /** The lowest ground point of the cell; without one, the height at its centre between those that
+   * are nearest of the filter's surface: four particles of the cloth, or four cells of smrf. */
   grid::Layer<float> ground;
   grid::Layer<float> evidence;     //!< 1: a ground point was measured, 2: none was
   grid::Layer<float> surface;      //!< the highest point; NaN: the cell has none

@@ -30,6 +30,9 @@ bool isCloud(files::InputStream& stream);
 PointCloud readCloud(files::InputStream& stream, const CloudReading& reading = {});
 PointCloud readCloudFile(const std::string& path, const CloudReading& reading = {});
 
+/** \exception std::runtime_error unless the file's name ends in one that writeCloudFile() knows */
+void requireCloudName(const std::string& path);
+
 /** Writes a cloud in the format that the file's name ends with, with its attributes as far as the
  * format has them; the file appears whole or not at all.
  * \exception std::runtime_error naming the file and the reason if it cannot be written */

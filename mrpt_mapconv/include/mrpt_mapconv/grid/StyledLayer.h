@@ -47,6 +47,8 @@ struct StyledLayer
   /** Only for Plane, on the same frame: side [m] of the square of 2^k cells that a cell lies in,
    * whose lower corner has keys that are divisible by 2^k; NaN: none. A picture outlines them. */
   const Layer<float>* squares = nullptr;
+  /** Only for Height: a picture shows relief, as lit from the north-west. */
+  bool hillShaded = false;
 };
 
 /** The layer of that name.

@@ -1,0 +1,134 @@
+#include "output/GroundReport.h"
+
+#include <mrpt/core/format.h>
+#include <mrpt_mapconv/params/Text.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "output/Console.h"
+
+namespace mapconv
+{
+using namespace mrpt_mapconv;
+
+namespace
+{
+/** What the layers of a ground hold, in numbers. */
+struct GroundCounts
+{
+  std::size_t cells = 0;
+  std::size_t measured = 0;  //!< cells with a ground point
+  std::size_t covered = 0;   //!< cells with any point
+  double lowest = std::numeric_limits<double>::infinity();
+  double highest = -std::numeric_limits<double>::infinity();  //!< of the ground [m]
+  double mostAbove = 0;                                       //!< ground [m]
+};
+
+GroundCounts countsOf(const aerial::GroundLayers& layers)
+{
+  GroundCounts counts;
+  counts.cells = layers.ground.cells().size();
+  for (std::size_t i = 0; i < counts.cells; ++i)
+  {
+    counts.measured += layers.groundPoints.cells()[i] > 0;
+    counts.covered += layers.allPoints.cells()[i] > 0;
+    const auto ground = static_cast<double>(layers.ground.cells()[i]);
+    counts.lowest = std::min(counts.lowest, ground);
+    counts.highest = std::max(counts.highest, ground);
+    if (const float above = layers.aboveGround.cells()[i]; above > 0)
+      counts.mostAbove = std::max(counts.mostAbove, static_cast<double>(above));
+  }
+  return counts;
+}
+
+double percent(std::size_t part, std::size_t all)
+{
+  return 100 * static_cast<double>(part) / static_cast<double>(all);
+}
+
+std::string changedText(const aerial::GroundParams& params)
+{
+  std::vector<std::string> defaults;
+  params::forEachText(aerial::GroundParams(),
+                      [&](const char*, const std::string& text) { defaults.push_back(text); });
+  std::string changed;
+  std::size_t index = 0;
+  params::forEachText(params,
+                      [&](const char* key, const std::string& text)
+                      {
+                        if (text != defaults[index++])
+                          changed +=
+                              (changed.empty() ? "" : ", ") + std::string(key) + " = " + text;
+                      });
+  return changed;
+}
+}  // namespace
+
+std::string groundText(const SummaryHead& head, const GroundResult& result, const Seconds& seconds)
+{
+  const aerial::Ground& ground = result.ground;
+  const GroundCounts counts = countsOf(ground.layers);
+  const std::size_t points = ground.classification.size();
+  const double z = head.reference.origin.z;
+  std::string text = headText(head);
+  text += mrpt::format("ground       %zu of %zu points (%.1f %%), by %s\n", ground.groundPoints,
+                       points, percent(ground.groundPoints, points),
+                       params::textOf(result.params.groundFilter).c_str());
+  text += mrpt::format(
+      "cells        %zu (%.1f %%) with ground points, %zu (%.1f %%) with other points only, "
+      "inferred in all but the first\n",
+      counts.measured, percent(counts.measured, counts.cells), counts.covered - counts.measured,
+      percent(counts.covered - counts.measured, counts.cells));
+  text += mrpt::format("height       ground %.2f to %.2f m, the highest point %.2f m above it\n",
+                       counts.lowest + z, counts.highest + z, counts.mostAbove);
+  if (const std::string changed = changedText(result.params); !changed.empty())
+    text += "not default  " + changed + "\n";
+  if (ground.lowPoints > 0)
+    text += "left out     " + params::counted(ground.lowPoints, "point") +
+            " below the ground, as lone low points (lowPointRadius)\n";
+  if (ground.unusedPoints > 0)
+    text += "left out     " + params::counted(ground.unusedPoints, "point") +
+            " that the file marks as withheld\n";
+  if (!result.pointsFile.empty()) text += "points       -> " + result.pointsFile + "\n";
+  return text + secondsText(seconds);
+}
+
+std::string groundJson(const SummaryHead& head, const GroundResult& result, const Seconds& seconds)
+{
+  const aerial::Ground& ground = result.ground;
+  const GroundCounts counts = countsOf(ground.layers);
+  const double z = head.reference.origin.z;
+  JsonObject json = headJson(head);
+  json.add("points", ground.classification.size()).add("groundPoints", ground.groundPoints);
+  json.add("lowPoints", ground.lowPoints).add("withheldPoints", ground.unusedPoints);
+  json.add("cellsWithGroundPoints", counts.measured).add("cellsWithPoints", counts.covered);
+  json.add("groundMin", counts.lowest + z).add("groundMax", counts.highest + z);
+  json.add("aboveGroundMax", counts.mostAbove);
+  if (!result.pointsFile.empty()) json.add("pointsFile", result.pointsFile);
+  JsonObject parameters;
+  addFields(result.params, parameters);
+  return json.add("parameters", parameters).add("seconds", secondsJson(seconds)).text() + "\n";
+}
+
+void warnAboutGround(const GroundResult& result)
+{
+  const aerial::Ground& ground = result.ground;
+  if (ground.groundPoints == 0)
+  {
+    printWarning("not one point is ground, so all of the ground is inferred");
+    return;
+  }
+  const GroundCounts counts = countsOf(ground.layers);
+  constexpr double kFewPoints = 0.2;  // a cell
+  const double perCell =
+      static_cast<double>(ground.classification.size()) / static_cast<double>(counts.cells);
+  if (perCell < kFewPoints)
+    printWarning(
+        mrpt::format("there are %.2g points a cell, and the ground between them is "
+                     "inferred; --cell-size %.2g would give each cell about one",
+                     perCell, result.params.cellSize / std::sqrt(perCell)));
+}
+
+}  // namespace mapconv
