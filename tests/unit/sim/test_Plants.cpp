@@ -337,6 +337,29 @@ TEST(Plants, ScansOfTheSameKeyMeetTheSameLeaves)
   EXPECT_NE(bodiesOf(1), bodiesOf(2));
 }
 
+TEST(Plants, RaysOverAMirrorMeetLeavesByTheirOwnKeys)
+{
+  const World world =
+      worldOf(kFlat +
+              "[box.mirror]\nmin = 10 -9 1\nmax = 11 9 9\nmirror = 1\n[box.wall]\nmin = -15 -19 1\n"
+              "max = -14 19 19\n[canopy.a]\nplace = -6 0\nbottom = 0\ntop = 8\nradius = 5\n"
+              "density = 0.1\n");
+  const RayCaster caster(world);
+  const mrpt::config::CConfigFileMemory ini(
+      std::string("[sensor.s]\nkind = scanner2D\nrate = 1\nmaxRange = 80\nrays = 41\n"
+                  "fieldOfView = 4\n"));
+  params::StrictSection section(ini, "sensor.s");
+  const auto scan = readSensor(section)->scan(caster, mrpt::poses::CPose3D(5, 0, 5, 0, 0, 0), 1);
+  std::size_t leaves = 0;
+  for (std::size_t i = 0; i < scan.bodies.size(); ++i)
+  {
+    EXPECT_TRUE(scan.mirrored[i]);
+    leaves += world.name(std::size_t(scan.bodies[i])) == "canopy.a" ? 1 : 0;
+  }
+  EXPECT_GT(leaves, 10u);  // 63 % of 41
+  EXPECT_LT(leaves, 38u);
+}
+
 // --- forests
 
 namespace

@@ -37,7 +37,7 @@ class World
   static World fromIni(const mrpt::config::CConfigFileBase& ini,
                        const std::vector<std::string>& otherSections);
 
-  /** \param name as in the file, e.g. "box.floor" */
+  /** \param name as in the file, e.g. "box.floor"; bodies of one section share it */
   void add(std::string name, std::unique_ptr<Primitive> primitive);
 
   const mrpt::math::TPoint3D& min() const { return m_min; }  //!< lower corner of the bounds [m]
