@@ -35,7 +35,8 @@ const std::vector<ExperimentKind>& kinds()
 {
   static const std::vector<ExperimentKind> all = {{"freespace", runFreespaceExperiment},
                                                   {"scanShape", runScanShapeExperiment},
-                                                  {"terrain", runTerrainExperiment}};
+                                                  {"terrain", runTerrainExperiment},
+                                                  {"ground", runGroundExperiment}};
   return all;
 }
 

@@ -5,12 +5,13 @@
 
 namespace mapconv
 {
-std::string readFile(mrpt_mapconv::params::StrictSection& section, const ExperimentJob& job)
+std::string readFile(mrpt_mapconv::params::StrictSection& section, const ExperimentJob& job,
+                     const std::string& key)
 {
   std::string file;
-  section.read("file", file);
+  section.read(key, file);
   if (file.empty())
-    throw std::runtime_error("section '" + section.name() + "': file = FILE is missing");
+    throw std::runtime_error("section '" + section.name() + "': " + key + " = FILE is missing");
   return (std::filesystem::path(job.iniFile).parent_path() / file).string();
 }
 

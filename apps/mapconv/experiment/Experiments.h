@@ -33,6 +33,10 @@ void runScanShapeExperiment(const ExperimentJob& job, Report& report);
  * of adaptive terrain maps, beside a per-cell elevation map, MRPT's grid and octomaps. Sections:
  * see config/experiments/terrain.ini. */
 void runTerrainExperiment(const ExperimentJob& job, Report& report);
+
+/** The ground below simulated forests and of the ISPRS samples (Sithole and Vosselman 2004): errors
+ * of the filters' points, and of the maps' heights. Sections: see config/experiments/ground.ini. */
+void runGroundExperiment(const ExperimentJob& job, Report& report);
 /** @} */
 
 }  // namespace mapconv

@@ -46,7 +46,8 @@ Ray reflected(const Ray& ray, const Hit& hit)
   const double length = std::sqrt(x * x + y * y + z * z);
   return {along(ray, hit.range),
           {static_cast<float>(x / length), static_cast<float>(y / length),
-           static_cast<float>(z / length)}};
+           static_cast<float>(z / length)},
+          ray.key};
 }
 
 /** Share of the rays that a body reflects where this one met it. */

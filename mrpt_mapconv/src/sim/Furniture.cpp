@@ -56,11 +56,4 @@ void Furniture::appendSolids(double x, double y, std::vector<Solid>& solids) con
   for (const Block& part : m_parts) part.appendSolids(x, y, solids);
 }
 
-Outline readOutline(params::StrictSection& section)
-{
-  const auto min = readPoint2D(section, "min"), max = readPoint2D(section, "max");
-  if (!(min.x < max.x && min.y < max.y)) section.fail("max", "above min in x and y");
-  return {min, max};
-}
-
 }  // namespace mrpt_mapconv::sim

@@ -37,14 +37,4 @@ class Furniture : public Primitive
   std::vector<Block> m_parts;
 };
 
-/** Keys min and max, x y [m]: opposite corners of furniture before it is turned. */
-struct Outline
-{
-  mrpt::math::TPoint2D min, max;
-
-  mrpt::math::TPoint2D middle() const { return {(min.x + max.x) / 2, (min.y + max.y) / 2}; }
-  mrpt::math::TPoint2D size() const { return {max.x - min.x, max.y - min.y}; }
-};
-Outline readOutline(params::StrictSection& section);
-
 }  // namespace mrpt_mapconv::sim

@@ -1,4 +1,3 @@
-#include <embree3/rtcore.h>
 #include <mrpt_mapconv/sim/RayCaster.h>
 #include <tbb/task_arena.h>
 
@@ -7,9 +6,10 @@
 #include <stdexcept>
 #include <string>
 
+#include "EmbreeBodies.h"
+
 namespace mrpt_mapconv::sim
 {
-using mrpt::math::TPoint3D;
 using mrpt::math::TVector3D;
 
 namespace
@@ -21,53 +21,6 @@ struct Releaser
 };
 using Device = std::unique_ptr<RTCDeviceTy, Releaser>;
 using SceneHandle = std::unique_ptr<RTCSceneTy, Releaser>;
-
-TVector3D directionOf(const RTCRay& ray) { return {ray.dir_x, ray.dir_y, ray.dir_z}; }
-
-/** A curved surface where it is now. */
-struct Placed
-{
-  const CurvedSurface* surface = nullptr;
-  TVector3D shift{0, 0, 0};  // from where it says that it is [m]
-};
-
-/** Embree hands out plain pointers: ours are to these, see attachCurved(). */
-const Placed& placedOf(void* userData) { return *static_cast<const Placed*>(userData); }
-
-void curvedBounds(const RTCBoundsFunctionArguments* args)
-{
-  const Placed& placed = placedOf(args->geometryUserPtr);
-  auto [low, high] = placed.surface->bounds();
-  low += placed.shift;
-  high += placed.shift;
-  // Embree's box must hold the surface also after the rounding to single precision
-  const auto below = [](double v)
-  { return std::nextafterf(static_cast<float>(v), -std::numeric_limits<float>::infinity()); };
-  const auto above = [](double v)
-  { return std::nextafterf(static_cast<float>(v), std::numeric_limits<float>::infinity()); };
-  *args->bounds_o = {below(low.x),  below(low.y),  below(low.z),  0,
-                     above(high.x), above(high.y), above(high.z), 0};
-}
-
-void meetCurved(const RTCIntersectFunctionNArguments* args)
-{
-  if (!args->valid[0]) return;
-  // rays are cast one by one, so a packet of one is the plain structure
-  auto& query = *reinterpret_cast<RTCRayHit*>(args->rayhit);
-  const Placed& placed = placedOf(args->geometryUserPtr);
-  RTCRay& ray = query.ray;
-  const auto meeting = placed.surface->meet(
-      {ray.org_x - placed.shift.x, ray.org_y - placed.shift.y, ray.org_z - placed.shift.z},
-      directionOf(ray), ray.tnear, ray.tfar);
-  if (!meeting) return;
-  ray.tfar = static_cast<float>(meeting->range);
-  query.hit.Ng_x = static_cast<float>(meeting->outwards.x);
-  query.hit.Ng_y = static_cast<float>(meeting->outwards.y);
-  query.hit.Ng_z = static_cast<float>(meeting->outwards.z);
-  query.hit.primID = 0;
-  query.hit.geomID = args->geomID;
-  query.hit.instID[0] = args->context->instID[0];
-}
 
 Hit hitOf(const RTCRayHit& answer)
 {
@@ -96,9 +49,10 @@ Hit castAt(RTCScene scene, const Ray& ray, float minRange, float maxRange)
   query.ray.tfar = maxRange;
   query.ray.mask = ~0u;
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  rtcIntersect1(scene, &context, &query);
+  Way way;
+  way.key = ray.key;
+  rtcInitIntersectContext(&way.context);
+  rtcIntersect1(scene, &way.context, &query);
   return query.hit.geomID == RTC_INVALID_GEOMETRY_ID ? Hit{} : hitOf(query);
 }
 }  // namespace
@@ -109,7 +63,6 @@ struct RayCaster::Scene
   explicit Scene(const World& w);
   SceneHandle newScene();
   void attachTriangles(unsigned id);
-  void attachCurved(const SceneHandle& to, unsigned id);
   void attach(const SceneHandle& to, RTCGeometry geometry, unsigned id);
   void commit(const SceneHandle& changed);
   void moveTo(double seconds);
@@ -117,10 +70,13 @@ struct RayCaster::Scene
   const World& world;
   Device device;
   SceneHandle standing, moving;  // `moving` is null if nothing moves
-  std::vector<Placed> curved;    // by primitive; without a surface for those of triangles
+  // by primitive; null for those of triangles
+  std::vector<Placed> curved;
+  std::vector<const Foliage*> foliage;
 };
 
-RayCaster::Scene::Scene(const World& w) : world(w), device(rtcNewDevice(nullptr)), curved(w.size())
+RayCaster::Scene::Scene(const World& w)
+    : world(w), device(rtcNewDevice(nullptr)), curved(w.size()), foliage(w.size())
 {
   if (!device) throw std::runtime_error("Embree does not start (no memory, or an old processor)");
   standing = newScene();
@@ -128,14 +84,17 @@ RayCaster::Scene::Scene(const World& w) : world(w), device(rtcNewDevice(nullptr)
   {
     const Primitive& body = w.primitive(id);
     curved[id].surface = body.curved();
-    if (!body.curved())
+    foliage[id] = body.foliage();
+    if (foliage[id])
+      attach(standing, newGeometry(device.get(), foliage[id]), id);
+    else if (!body.curved())
       attachTriangles(id);
     else if (!body.motion())
-      attachCurved(standing, id);
+      attach(standing, newGeometry(device.get(), curved[id]), id);
     else
     {
       if (!moving) moving = newScene();
-      attachCurved(moving, id);
+      attach(moving, newGeometry(device.get(), curved[id]), id);
     }
   }
   commit(standing);
@@ -196,16 +155,6 @@ void RayCaster::Scene::attachTriangles(unsigned id)
   fill(RTC_BUFFER_TYPE_VERTEX, RTC_FORMAT_FLOAT3, mesh.vertices);
   fill(RTC_BUFFER_TYPE_INDEX, RTC_FORMAT_UINT3, mesh.triangles);
   attach(standing, geometry, id);
-}
-
-void RayCaster::Scene::attachCurved(const SceneHandle& to, unsigned id)
-{
-  const RTCGeometry geometry = rtcNewGeometry(device.get(), RTC_GEOMETRY_TYPE_USER);
-  rtcSetGeometryUserPrimitiveCount(geometry, 1);
-  rtcSetGeometryUserData(geometry, &curved[id]);
-  rtcSetGeometryBoundsFunction(geometry, curvedBounds, nullptr);
-  rtcSetGeometryIntersectFunction(geometry, meetCurved);
-  attach(to, geometry, id);
 }
 
 RayCaster::RayCaster(const World& world) : m_scene(std::make_unique<Scene>(world)) {}

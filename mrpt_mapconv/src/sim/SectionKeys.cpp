@@ -84,6 +84,22 @@ std::vector<mrpt::math::TPoint2D> readLine(params::StrictSection& section, const
   return line;
 }
 
+Interval readInterval(params::StrictSection& section, const std::string& key)
+{
+  const std::string meaning = "two numbers, lowest and highest, 0 < lowest <= highest";
+  const auto v = readNumbers(section, key, 2, meaning);
+  if (!(v[0] > 0 && v[0] <= v[1])) section.fail(key, meaning);
+  return {v[0], v[1]};
+}
+
+Outline readOutline(params::StrictSection& section)
+{
+  const Outline area{readPoint2D(section, "min"), readPoint2D(section, "max")};
+  if (!(area.min.x < area.max.x && area.min.y < area.max.y))
+    section.fail("max", "above min in x and y");
+  return area;
+}
+
 Corners readCorners(params::StrictSection& section)
 {
   const Corners corners{readPoint3D(section, "min"), readPoint3D(section, "max")};

@@ -31,6 +31,26 @@ mrpt::math::TPoint3D readPoint3D(params::StrictSection& section, const std::stri
 /** A line through two or more points, x y x y … [m]; must be there. */
 std::vector<mrpt::math::TPoint2D> readLine(params::StrictSection& section, const std::string& key);
 
+/** Two numbers > 0, the second not below the first; must be there. */
+struct Interval
+{
+  double low = 0, high = 0;
+
+  /** \param share 0 … 1 */
+  double at(double share) const { return low + share * (high - low); }
+};
+Interval readInterval(params::StrictSection& section, const std::string& key);
+
+/** Keys min and max, x y [m]: opposite corners of a rectangle of positive size. */
+struct Outline
+{
+  mrpt::math::TPoint2D min, max;
+
+  mrpt::math::TPoint2D middle() const { return {(min.x + max.x) / 2, (min.y + max.y) / 2}; }
+  mrpt::math::TPoint2D size() const { return {max.x - min.x, max.y - min.y}; }
+};
+Outline readOutline(params::StrictSection& section);
+
 /** Keys min and max, the corners of a box of positive size. */
 struct Corners
 {

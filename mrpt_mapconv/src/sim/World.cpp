@@ -79,23 +79,34 @@ World emptyWorld(const mrpt::config::CConfigFileBase& ini)
   return {pointOf(v, 0), pointOf(v, 3)};
 }
 
-std::unique_ptr<Primitive> readPrimitive(const mrpt::config::CConfigFileBase& ini,
-                                         const std::string& name)
+/** The kind of a section's body. */
+const PrimitiveKind& kindOf(const std::string& name)
 {
   const std::size_t dot = name.find('.');
   const std::string kind = name.substr(0, dot);
-  const auto read = PrimitiveKind::reader(kind);
-  if (!read)
+  const PrimitiveKind* known = PrimitiveKind::find(kind);
+  if (!known)
     throw std::runtime_error("section '" + name + "': '" + kind +
                              "' is not a kind of primitive: it must be one of " +
                              listed(PrimitiveKind::names()));
   if (dot == std::string::npos || dot + 1 == name.size())
     throw std::runtime_error("section '" + name + "' has no name of its own: it must be " + kind +
                              ".NAME");
+  return *known;
+}
+
+Bodies readBodies(const mrpt::config::CConfigFileBase& ini, const std::string& name,
+                  const World& world)
+{
+  const PrimitiveKind& kind = kindOf(name);
   params::StrictSection section(ini, name);
-  auto primitive = read(section);
-  section.refuseUnknown("a " + kind);
-  return primitive;
+  Bodies bodies;
+  if (kind.readStanding)
+    bodies = kind.readStanding(section, world);
+  else
+    bodies.push_back(kind.read(section));
+  section.refuseUnknown("a " + name.substr(0, name.find('.')));
+  return bodies;
 }
 
 void requireBelow(double min, double max, char axis)
@@ -126,11 +137,14 @@ World World::fromIni(const mrpt::config::CConfigFileBase& ini,
   World world = emptyWorld(ini);
   std::vector<std::string> sections;
   ini.getAllSections(sections);
+  sections.erase(std::remove_if(sections.begin(), sections.end(),
+                                [&](const std::string& section)
+                                { return section == "world" || isOther(section, otherSections); }),
+                 sections.end());
+  std::stable_partition(sections.begin(), sections.end(),
+                        [](const std::string& name) { return !kindOf(name).readStanding; });
   for (const auto& section : sections)
-  {
-    if (section == "world" || isOther(section, otherSections)) continue;
-    world.add(section, readPrimitive(ini, section));
-  }
+    for (auto& body : readBodies(ini, section, world)) world.add(section, std::move(body));
   if (world.size() == 0)
     throw std::runtime_error(
         "section 'world': there is no body in it: a section 'KIND.NAME' must be there, KIND one "
@@ -162,6 +176,17 @@ void World::solidsAt(double x, double y, std::vector<Solid>& solids) const
   std::sort(solids.begin(), solids.end(),
             [](const Solid& a, const Solid& b) { return a.bottom < b.bottom; });
   mergeSorted(solids);
+}
+
+std::optional<double> World::groundAt(double x, double y) const
+{
+  std::vector<Solid> solids;
+  for (const std::uint32_t i : m_cells[cellAt(x, y)])
+    if (m_primitives[i]->isGround()) m_primitives[i]->appendSolids(x, y, solids);
+  const auto highest = std::max_element(
+      solids.begin(), solids.end(), [](const Solid& a, const Solid& b) { return a.top < b.top; });
+  if (highest == solids.end()) return {};
+  return highest->top;
 }
 
 bool World::isSolid(const mrpt::math::TPoint3D& point) const

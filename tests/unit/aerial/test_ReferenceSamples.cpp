@@ -2,14 +2,12 @@
 // classified by people. One setting for all; 12 other samples are tried elsewhere.
 #include <gtest/gtest.h>
 #include <mrpt_mapconv/aerial/Ground.h>
-#include <mrpt_mapconv/cloud/CloudFile.h>
 #include <mrpt_mapconv/eval/GroundScore.h>
+#include <mrpt_mapconv/eval/LabelledCloud.h>
 
 #include <filesystem>
 #include <iostream>
-#include <set>
 #include <string>
-#include <tuple>
 
 namespace
 {
@@ -30,23 +28,14 @@ class ReferenceSample : public testing::TestWithParam<Sample>
     const std::string path =
         std::string(MRPT_MAPCONV_SHARED_DIR) + "/real/isprs_samp" + GetParam().name;
     if (!std::filesystem::exists(path + ".pcd")) GTEST_SKIP() << path << ".pcd is not there";
-    m_cloud = cloud::readCloudFile(path + ".pcd");
-    const auto ground =
-        cloud::readCloudFile(path + "_ground.pcd", cloud::CloudReading{m_cloud.origin, {}});
-    std::set<std::tuple<double, double, double>> places;
-    for (std::size_t i = 0; i < ground.size(); ++i)
-      places.emplace(ground.x[i], ground.y[i], ground.z[i]);
-    for (std::size_t i = 0; i < m_cloud.size(); ++i)
-      m_truth.push_back(places.count({m_cloud.x[i], m_cloud.y[i], m_cloud.z[i]})
-                            ? cloud::kGround
-                            : cloud::kUnclassified);
+    m_sample = eval::readLabelledCloud(path + ".pcd", path + "_ground.pcd");
   }
   double totalError(GroundFilter filter) const
   {
     aerial::GroundParams params;
     params.groundFilter = filter;
-    const auto score =
-        eval::scoreGround(aerial::findGround(m_cloud, params).classification, m_truth);
+    const auto score = eval::scoreGround(aerial::findGround(m_sample.cloud, params).classification,
+                                         m_sample.truth);
     std::cout << "sample " << GetParam().name << ", " << params::textOf(filter) << ": type I "
               << 100 * score.typeI() << " %, type II " << 100 * score.typeII() << " %, total "
               << 100 * score.total() << " %, kappa " << 100 * score.kappa() << " %\n";
@@ -54,8 +43,7 @@ class ReferenceSample : public testing::TestWithParam<Sample>
   }
 
  private:
-  cloud::PointCloud m_cloud;
-  std::vector<std::uint8_t> m_truth;
+  eval::LabelledCloud m_sample;
 };
 }  // namespace
 

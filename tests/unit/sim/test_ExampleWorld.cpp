@@ -40,7 +40,7 @@ Kinds kindsIn(const std::string& file)
     const std::string kind = section.substr(0, section.find('.'));
     if (kind == "sensor")
       kinds.sensors.insert(ini.read_string(section, "kind", ""));
-    else if (sim::PrimitiveKind::reader(kind))
+    else if (sim::PrimitiveKind::find(kind))
       kinds.bodies.insert(kind);
   }
   return kinds;

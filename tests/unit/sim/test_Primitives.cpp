@@ -202,10 +202,11 @@ TEST(Primitives, TunnelThroughRock)
 
 TEST(Primitives, KindsAreNamedInOrder)
 {
-  const std::vector<std::string> names{"box",  "chair", "cylinder", "heightField", "pane", "person",
-                                       "ramp", "shelf", "sphere",   "stairs",      "table"};
+  const std::vector<std::string> names{
+      "box",    "canopy", "chair", "cylinder", "forest", "heightField", "log",   "pane",
+      "person", "ramp",   "shelf", "sphere",   "stairs", "table",       "trunk", "undergrowth"};
   EXPECT_EQ(PrimitiveKind::names(), names);
-  EXPECT_EQ(PrimitiveKind::reader("Box"), nullptr);
+  EXPECT_EQ(PrimitiveKind::find("Box"), nullptr);
 }
 
 // --- what rays see is what the truth says

@@ -64,8 +64,9 @@ TEST(World, BadFilesGetAnError)
               "section 'world': 'colour' is not a key of the world: correct its name or take it "
               "out");
   const std::string kinds =
-      "it must be one of box, chair, cylinder, heightField, pane, person, ramp, shelf, sphere, "
-      "stairs, table";
+      "it must be one of box, canopy, chair, cylinder, forest, heightField, log, pane, person, "
+      "ramp, "
+      "shelf, sphere, stairs, table, trunk, undergrowth";
   expectError("[bx.a]\nmin = 0 0 0\n", "section 'bx.a': 'bx' is not a kind of primitive: " + kinds);
   expectError("[trajectories]\nx = 1\n",
               "section 'trajectories': 'trajectories' is not a kind of primitive: " + kinds);

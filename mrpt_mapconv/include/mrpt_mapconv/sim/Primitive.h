@@ -2,6 +2,7 @@
 
 #include <mrpt/math/TPoint3D.h>
 #include <mrpt_mapconv/params/StrictSection.h>
+#include <mrpt_mapconv/sim/Foliage.h>
 
 #include <array>
 #include <cstdint>
@@ -12,6 +13,8 @@
 
 namespace mrpt_mapconv::sim
 {
+class World;
+
 /** The part of a vertical line that lies inside a solid. */
 struct Solid
 {
@@ -77,6 +80,10 @@ class Primitive
   virtual void appendMesh(Mesh& mesh) const = 0;
   /** What rays meet instead of the mesh; nullptr: they meet the mesh. */
   virtual const CurvedSurface* curved() const { return nullptr; }
+  /** What rays meet instead of the mesh where a body has no surface; nullptr: it has one. */
+  virtual const Foliage* foliage() const { return nullptr; }
+  /** Whether it is the ground that trees stand on, and that ground filters look for. */
+  virtual bool isGround() const { return false; }
   /** Adds the parts of the vertical line through (x, y) [m] that are inside. */
   virtual void appendSolids(double x, double y, std::vector<Solid>& solids) const = 0;
   /** Share of the rays that go through all of it unseen, 0 … 1 (glass); of a mirror, of those that
@@ -90,6 +97,8 @@ class Primitive
   virtual const Motion* motion() const { return nullptr; }
 };
 
+using Bodies = std::vector<std::unique_ptr<Primitive>>;
+
 /** Registers a kind of primitive: sections [kind.NAME] of a world file are read by `read`.
  *
  * `read` takes the keys it knows from the section (which complains about the rest) and throws by
@@ -98,12 +107,19 @@ class Primitive
 struct PrimitiveKind
 {
   using Reader = std::unique_ptr<Primitive> (*)(params::StrictSection& section);
+  /** For what stands on the ground, one body or many.
+   * \param world with all bodies that do not, see World::groundAt() */
+  using StandingReader = Bodies (*)(params::StrictSection& section, const World& world);
   PrimitiveKind(const char* kind, Reader read);
+  PrimitiveKind(const char* kind, StandingReader read);
+
+  Reader read = nullptr;                  //!< one of
+  StandingReader readStanding = nullptr;  //!< the two
 
   /** Names of all kinds, in alphabetical order. */
   static std::vector<std::string> names();
   /** \return nullptr for a kind that is not registered */
-  static Reader reader(const std::string& kind);
+  static const PrimitiveKind* find(const std::string& kind);
 };
 
 }  // namespace mrpt_mapconv::sim

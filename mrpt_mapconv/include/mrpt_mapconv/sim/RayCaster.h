@@ -14,6 +14,7 @@ struct Ray
 {
   mrpt::math::TPoint3Df origin;     //!< [m]
   mrpt::math::TPoint3Df direction;  //!< of length 1
+  std::uint64_t key = 0;            //!< which leaves it meets; the same key, the same leaves
 };
 
 /** What a ray meets first. */
@@ -21,7 +22,8 @@ struct Hit
 {
   float range = std::numeric_limits<float>::infinity();  //!< [m]; infinite: nothing
   std::int32_t primitive = -1;                           //!< its number in the world
-  mrpt::math::TPoint3Df normal;  //!< of the surface, of length 1, towards the ray's origin
+  /** Of the surface, of length 1, towards the ray's origin; of a leaf, the way back. */
+  mrpt::math::TPoint3Df normal;
 };
 
 /** Casts rays at a world's surfaces (by Embree). Several threads may cast at once, but not while

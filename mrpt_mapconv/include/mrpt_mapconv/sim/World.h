@@ -5,6 +5,7 @@
 #include <mrpt_mapconv/sim/Primitive.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,14 +29,15 @@ class World
    * \exception std::invalid_argument if it is not */
   World(const mrpt::math::TPoint3D& min, const mrpt::math::TPoint3D& max);
 
-  /** Reads section [world] and every section [KIND.NAME]; `otherSections` names those that belong
+  /** Reads section [world] and every section [KIND.NAME], those of bodies that stand on the ground
+   * after all others; `otherSections` names those that belong
    * to somebody else, exactly ("trajectory") or by their beginning ("sensor.").
    * \exception std::runtime_error in one line naming section, key and value, and what would be
    * right; also for an unknown kind (the known ones are named), an unknown key or no body at all */
   static World fromIni(const mrpt::config::CConfigFileBase& ini,
                        const std::vector<std::string>& otherSections);
 
-  /** \param name as in the file, e.g. "box.floor" */
+  /** \param name as in the file, e.g. "box.floor"; bodies of one section share it */
   void add(std::string name, std::unique_ptr<Primitive> primitive);
 
   const mrpt::math::TPoint3D& min() const { return m_min; }  //!< lower corner of the bounds [m]
@@ -52,6 +54,8 @@ class World
   /** The solid parts of the vertical line through (x, y) [m], merged where they touch or overlap
    * (to 1e-9 m), from the lowest up; the slope is that of the body that forms the top. */
   void solidsAt(double x, double y, std::vector<Solid>& solids) const;
+  /** Height of the highest ground at (x, y), see Primitive::isGround() [m]; none: there is none. */
+  std::optional<double> groundAt(double x, double y) const;
   /** True if a point [m] lies inside a body. */
   bool isSolid(const mrpt::math::TPoint3D& point) const;
   /** True if a sphere [m] cuts a body by more than 1e-9 m, found by vertical lines on a lattice in

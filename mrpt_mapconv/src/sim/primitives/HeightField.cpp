@@ -4,6 +4,8 @@
 #include "../MeshBuilder.h"
 #include "../Relief.h"
 #include "../SectionKeys.h"
+#include "../Terraces.h"
+#include "../Tiling.h"
 #include "../Tunnels.h"
 
 namespace mrpt_mapconv::sim
@@ -24,40 +26,31 @@ class Lattice
 
   /** \param spacing of the points at most [m] */
   Lattice(const Footprint& area, double spacing)
-      : m_area(area),
-        m_squaresX(squares(area.xMax - area.xMin, spacing)),
-        m_squaresY(squares(area.yMax - area.yMin, spacing)),
-        m_perMetreX(double(m_squaresX) / (area.xMax - area.xMin)),
-        m_perMetreY(double(m_squaresY) / (area.yMax - area.yMin)),
-        m_heights((m_squaresX + 1) * (m_squaresY + 1))
+      : m_squares(area, spacing),
+        m_perMetreX(double(m_squares.across()) / (area.xMax - area.xMin)),
+        m_perMetreY(double(m_squares.along()) / (area.yMax - area.yMin)),
+        m_heights((m_squares.across() + 1) * (m_squares.along() + 1))
   {
   }
 
-  static std::size_t squares(double length, double spacing)
+  const Tiling& squares() const { return m_squares; }
+  float& height(std::size_t i, std::size_t j)
   {
-    return static_cast<std::size_t>(std::max(1.0, std::ceil(length / spacing - 1e-9)));
+    return m_heights[j * (m_squares.across() + 1) + i];
   }
-
-  const Footprint& area() const { return m_area; }
-  std::size_t squaresX() const { return m_squaresX; }
-  std::size_t squaresY() const { return m_squaresY; }
-  double x(std::size_t i) const { return place(m_area.xMin, m_area.xMax, i, m_squaresX); }
-  double y(std::size_t j) const { return place(m_area.yMin, m_area.yMax, j, m_squaresY); }
-  float& height(std::size_t i, std::size_t j) { return m_heights[j * (m_squaresX + 1) + i]; }
-  float height(std::size_t i, std::size_t j) const { return m_heights[j * (m_squaresX + 1) + i]; }
+  float height(std::size_t i, std::size_t j) const
+  {
+    return m_heights[j * (m_squares.across() + 1) + i];
+  }
   const std::vector<float>& heights() const { return m_heights; }
-
-  bool contains(double px, double py) const
-  {
-    return px >= m_area.xMin && px <= m_area.xMax && py >= m_area.yMin && py <= m_area.yMax;
-  }
 
   /** For a place inside. */
   Surface at(double px, double py) const
   {
-    const double u = (px - m_area.xMin) * m_perMetreX, v = (py - m_area.yMin) * m_perMetreY;
-    const std::size_t i = std::min(static_cast<std::size_t>(u), m_squaresX - 1);
-    const std::size_t j = std::min(static_cast<std::size_t>(v), m_squaresY - 1);
+    const double u = (px - m_squares.area().xMin) * m_perMetreX,
+                 v = (py - m_squares.area().yMin) * m_perMetreY;
+    const std::size_t i = std::min(static_cast<std::size_t>(u), m_squares.across() - 1);
+    const std::size_t j = std::min(static_cast<std::size_t>(v), m_squares.along() - 1);
     const double s = u - double(i), t = v - double(j);
     const double h00 = height(i, j), h11 = height(i + 1, j + 1);
     // the square is cut from its corner (0, 0) to (1, 1), as the mesh is
@@ -69,13 +62,7 @@ class Lattice
   }
 
  private:
-  static double place(double begin, double end, std::size_t i, std::size_t count)
-  {
-    return i == count ? end : begin + (end - begin) * double(i) / double(count);
-  }
-
-  Footprint m_area;
-  std::size_t m_squaresX, m_squaresY;
+  Tiling m_squares;
   double m_perMetreX, m_perMetreY;  // squares to a metre
   std::vector<float> m_heights;
 };
@@ -87,21 +74,21 @@ class Faces
   Faces(const Lattice& lattice, Mesh& mesh) : m_lattice(lattice), m_build(mesh)
   {
     m_first = static_cast<std::uint32_t>(mesh.vertices.size());
-    for (std::size_t j = 0; j <= lattice.squaresY(); ++j)
-      for (std::size_t i = 0; i <= lattice.squaresX(); ++i)
-        m_build.vertex(lattice.x(i), lattice.y(j), lattice.height(i, j));
+    for (std::size_t j = 0; j <= lattice.squares().along(); ++j)
+      for (std::size_t i = 0; i <= lattice.squares().across(); ++i)
+        m_build.vertex(lattice.squares().x(i), lattice.squares().y(j), lattice.height(i, j));
   }
 
   void surface()
   {
-    for (std::size_t j = 0; j < m_lattice.squaresY(); ++j)
-      for (std::size_t i = 0; i < m_lattice.squaresX(); ++i)
+    for (std::size_t j = 0; j < m_lattice.squares().along(); ++j)
+      for (std::size_t i = 0; i < m_lattice.squares().across(); ++i)
         m_build.quad(point(i, j), point(i + 1, j), point(i + 1, j + 1), point(i, j + 1));
   }
 
   void sides(double flat)
   {
-    const std::size_t right = m_lattice.squaresX(), upper = m_lattice.squaresY();
+    const std::size_t right = m_lattice.squares().across(), upper = m_lattice.squares().along();
     for (const std::size_t j : {std::size_t{0}, upper})
       for (std::size_t i = 0; i < right; ++i) side(i, j, i + 1, j, flat);
     for (const std::size_t i : {std::size_t{0}, right})
@@ -110,7 +97,7 @@ class Faces
 
   void flatFace(double flat)
   {
-    const Footprint& area = m_lattice.area();
+    const Footprint& area = m_lattice.squares().area();
     m_build.quad(
         m_build.vertex(area.xMin, area.yMin, flat), m_build.vertex(area.xMax, area.yMin, flat),
         m_build.vertex(area.xMax, area.yMax, flat), m_build.vertex(area.xMin, area.yMax, flat));
@@ -119,13 +106,13 @@ class Faces
  private:
   std::uint32_t point(std::size_t i, std::size_t j) const
   {
-    return m_first + static_cast<std::uint32_t>(j * (m_lattice.squaresX() + 1) + i);
+    return m_first + static_cast<std::uint32_t>(j * (m_lattice.squares().across() + 1) + i);
   }
   void side(std::size_t i0, std::size_t j0, std::size_t i1, std::size_t j1, double flat)
   {
     m_build.quad(point(i0, j0), point(i1, j1),
-                 m_build.vertex(m_lattice.x(i1), m_lattice.y(j1), flat),
-                 m_build.vertex(m_lattice.x(i0), m_lattice.y(j0), flat));
+                 m_build.vertex(m_lattice.squares().x(i1), m_lattice.squares().y(j1), flat),
+                 m_build.vertex(m_lattice.squares().x(i0), m_lattice.squares().y(j0), flat));
   }
 
   const Lattice& m_lattice;
@@ -133,10 +120,11 @@ class Faces
   std::uint32_t m_first;
 };
 
-/** Ground or a rock ceiling with a smooth, uneven surface (see Relief and Tunnels for their keys).
- * min, max: corners x y [m]; cell: spacing of the surface's points [m]; solid: below or above it;
- * depth: thickness beyond the surface's lowest or highest point [m], default 1; for tunnels, which
- * only rock above can have, wallBottom: height that the rock reaches down to beside them [m]. */
+/** Ground or a rock ceiling with a smooth, uneven surface (see Relief, Terraces and Tunnels for
+ * their keys). min, max: corners x y [m]; cell: spacing of the surface's points [m]; solid: below
+ * or above it; depth: thickness beyond the surface's lowest or highest point [m], default 1; for
+ * tunnels, which only rock above can have, wallBottom: height that the rock reaches down to beside
+ * them [m]. */
 class HeightField : public Primitive
 {
  public:
@@ -156,17 +144,19 @@ class HeightField : public Primitive
     section.readChoice("solid", {"below", "above"}, solid);
     const double depth = section.has("depth") ? readPositive(section, "depth") : 1.0;
     const Relief relief = Relief::read(section);
+    const Terraces terraces = Terraces::read(section, relief.seed);
     const Tunnels tunnels = Tunnels::read(section);
     if (!tunnels.empty() && solid == 0) section.fail("solid", "above for tunnels (arch_1 ...)");
     const double wallBottom = tunnels.empty() ? 0 : readNumber(section, "wallBottom");
 
-    for (std::size_t j = 0; j <= lattice.squaresY(); ++j)
-      for (std::size_t i = 0; i <= lattice.squaresX(); ++i)
+    for (std::size_t j = 0; j <= lattice.squares().along(); ++j)
+      for (std::size_t i = 0; i <= lattice.squares().across(); ++i)
       {
-        double height = relief.heightAt(lattice.x(i), lattice.y(j));
+        double height =
+            terraces.heightAt(relief.heightAt(lattice.squares().x(i), lattice.squares().y(j)));
         if (!tunnels.empty())
         {
-          const double vault = tunnels.vaultAt({lattice.x(i), lattice.y(j)});
+          const double vault = tunnels.vaultAt({lattice.squares().x(i), lattice.squares().y(j)});
           height = vault > 0 ? height + vault : wallBottom;
         }
         lattice.height(i, j) = static_cast<float>(height);
@@ -174,7 +164,9 @@ class HeightField : public Primitive
     return std::make_unique<HeightField>(std::move(lattice), solid == 1, depth);
   }
 
-  Footprint footprint() const override { return m_lattice.area(); }
+  Footprint footprint() const override { return m_lattice.squares().area(); }
+
+  bool isGround() const override { return !m_solidAbove; }
 
   void appendMesh(Mesh& mesh) const override
   {
@@ -186,7 +178,7 @@ class HeightField : public Primitive
 
   void appendSolids(double x, double y, std::vector<Solid>& solids) const override
   {
-    if (!m_lattice.contains(x, y)) return;
+    if (!m_lattice.squares().contains(x, y)) return;
     const auto [height, slope] = m_lattice.at(x, y);
     if (m_solidAbove)
       solids.push_back({height, m_flat, 0});
@@ -197,8 +189,7 @@ class HeightField : public Primitive
  private:
   static Lattice readLattice(params::StrictSection& section)
   {
-    const auto min = readPoint2D(section, "min"), max = readPoint2D(section, "max");
-    if (!(min.x < max.x && min.y < max.y)) section.fail("max", "above min in x and y");
+    const auto [min, max] = readOutline(section);
     const double cell = readPositive(section, "cell");
     if ((max.x - min.x) / cell * ((max.y - min.y) / cell) > kMostPoints)
       section.fail("cell", "so large that the field has at most 2e7 points");

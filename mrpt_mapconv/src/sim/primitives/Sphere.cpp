@@ -1,7 +1,7 @@
 #include <cmath>
 #include <limits>
 
-#include "../MeshBuilder.h"
+#include "../Ellipsoid.h"
 #include "../SectionKeys.h"
 
 namespace mrpt_mapconv::sim
@@ -31,24 +31,7 @@ class Sphere : public Primitive, public CurvedSurface
 
   void appendMesh(Mesh& mesh) const override
   {
-    constexpr std::uint32_t kRings = 16, kSectors = 32;
-    constexpr double kPi = 3.14159265358979323846;
-    MeshBuilder build(mesh);
-    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-    for (std::uint32_t ring = 0; ring <= kRings; ++ring)
-      for (std::uint32_t sector = 0; sector < kSectors; ++sector)
-      {
-        const double polar = kPi * ring / kRings, around = 2 * kPi * sector / kSectors;
-        const double across = m_radius * std::sin(polar);
-        build.vertex(m_centre.x + across * std::cos(around), m_centre.y + across * std::sin(around),
-                     m_centre.z + m_radius * std::cos(polar));
-      }
-    for (std::uint32_t ring = 0; ring < kRings; ++ring)
-      for (std::uint32_t sector = 0; sector < kSectors; ++sector)
-      {
-        const std::uint32_t a = first + ring * kSectors, next = (sector + 1) % kSectors;
-        build.quad(a + sector, a + kSectors + sector, a + kSectors + next, a + next);
-      }
+    Ellipsoid(m_centre, m_radius, m_radius).appendMesh(mesh);
   }
 
   const CurvedSurface* curved() const override { return this; }
