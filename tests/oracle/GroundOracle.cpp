@@ -185,7 +185,8 @@ class SlowCloth
         if (m_free.cells()[i])
           m_z.cells()[i] += (m_z.cells()[i] - before.cells()[i]) * (1 - m_params.damping) +
                             m_params.gravity * std::pow(m_params.timeStep, 4);
-      for (int turn = 0; turn < 2; ++turn) pullAll();
+      for (int turn = 0; turn < 2; ++turn)
+        for (int y = 0; y < m_f.height; ++y) pullRow(y);
       double moved = 0;
       for (std::size_t i = 0; i < m_f.size(); ++i)
       {

@@ -17,6 +17,7 @@ namespace
 {
 constexpr float kSmallestChange = 2e-5F;  // [m] of a cell in a step; then the membrane rests
 constexpr int kMostSteps = 500;
+constexpr std::size_t kFewCells = 131072;  // whose steps are shorter than waking threads
 constexpr float kOverRelaxation = 1.7F;
 constexpr float kNone = std::numeric_limits<float>::quiet_NaN();
 
@@ -94,6 +95,7 @@ float relax(Layer<float>& heights, const std::vector<std::uint32_t>& cells, int 
 
 void fillEmptyCells(Layer<float>& heights, int threads)
 {
+  if (heights.cells().size() < kFewCells) threads = 1;
   const EmptyByColour empty = emptyCells(heights);
   const std::size_t count = empty[0].size() + empty[1].size();
   if (count == 0) return;
