@@ -1,11 +1,11 @@
 #include <mrpt_mapconv/cloud/CloudFile.h>
-#include <mrpt_mapconv/files/CloudFormat.h>
 
 #include <CLI/CLI.hpp>
 #include <memory>
 #include <utility>
 
 #include "command/Command.h"
+#include "input/CloudInput.h"
 #include "input/InputFile.h"
 #include "input/NoEffect.h"
 #include "output/Console.h"
@@ -25,16 +25,6 @@ struct InfoOptions
   bool json = false;
 };
 
-/** Columns can only be named where there are no names: in a text. */
-void warnOfColumns(const InfoOptions& options, files::InputStream& stream)
-{
-  const auto format = files::cloudFormatOf({stream.name(), stream.preview(), stream.fileSize()});
-  if (options.columns.empty() || format == files::CloudFormat::Text) return;
-  NoEffect noEffect;
-  noEffect.add({"--columns"}, shownName(options.file) + " is no text of points");
-  noEffect.warn();
-}
-
 int info(const InfoOptions& options)
 {
   ResultOutput result;
@@ -50,7 +40,9 @@ int info(const InfoOptions& options)
       report.json.add("bytes", *bytes);
       report.line("bytes", std::to_string(*bytes));
     }
-    warnOfColumns(options, stream);
+    NoEffect noEffect;
+    noteColumns(stream, options.columns, noEffect);
+    noEffect.warn();
     if (cloud::isCloud(stream))
       describeCloudFile(stream, options.columns, report);
     else if (isOctree(stream))
@@ -73,9 +65,7 @@ std::pair<CLI::App*, Command> addInfo(CLI::App& app)
              kOrStdin)
       ->required()
       ->type_name("");
-  sub->add_option("--columns", options->columns,
-                  "names of a text's columns, such as x,y,z,_,time, if it has no line of them")
-      ->type_name("NAMES");
+  addColumnsOption(*sub, options->columns);
   sub->add_flag("--json", options->json, "print one JSON object");
   sub->footer("Example:\n  mapconv info building.bt");
   return {sub, [options] { return info(*options); }};

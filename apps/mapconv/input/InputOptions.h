@@ -27,6 +27,9 @@ void addPoseOptions(CLI::App& app, mrpt_mapconv::observation::RawlogOptions& opt
 /** The option for the number of threads. */
 void addThreadsOption(CLI::App& app, int& threads);
 
+/** Accepts finite numbers above 0. */
+CLI::Validator isPositive();
+
 /** Accepts finite numbers from 0 on. */
 CLI::Validator isNotNegative();
 
