@@ -104,8 +104,10 @@ void describeClasses(const PointCloud& cloud, InfoReport& report)
 
 void describeUnits(const PointCloud& cloud, InfoReport& report)
 {
-  report.line("units", unitOf(cloud, Field::X) + ", heights " + unitOf(cloud, Field::Z) +
-                           (cloud.namedUnits ? "" : ": assumed, since the file names none"));
+  std::string text = unitOf(cloud, Field::X);
+  if (const auto heights = unitOf(cloud, Field::Z); heights != text)
+    text += ", heights in " + heights;
+  report.line("units", text + (cloud.namedUnits ? "" : ", assumed: the file names none"));
   report.json.add("metresPerUnit", isInDegrees(cloud) ? NAN : cloud.unit);
   report.json.add("metresPerHeightUnit", cloud.heightUnit);
 }
