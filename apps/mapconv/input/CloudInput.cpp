@@ -78,7 +78,7 @@ std::string knownSystem(const PointCloud& cloud, const GeoOptions& geo, const st
 
 std::string timesText(double from, double to)
 {
-  return jsonNumber(from) + " to " + jsonNumber(to) + " s";
+  return params::placeText(from) + " to " + params::placeText(to) + " s";
 }
 }  // namespace
 

@@ -50,22 +50,31 @@ double resolutionOf(const InputRequest& request)
   return request.resolution.value_or(voxel::VoxelMapParams().resolution);
 }
 
+/** Does it; errors name the file. */
+template <class Work>
+auto naming(const std::string& file, const Work& work)
+try
+{
+  return work();
+}
+catch (const std::runtime_error& error)
+{
+  throw std::runtime_error(file + ": " + params::oneLine(error));
+}
+
 voxel::VoxelMap buildMap(const std::vector<observation::PosedObservation>& scans,
                          const InputRequest& request, Progress& progress)
 {
   voxel::VoxelMap map(resolutionOf(request));
   const ConsoleLog log;
   observation::SayOnceLog warnings(&log);
-  try
-  {
-    voxel::insertScans(
-        map, scans, request.insertion, &warnings, [&](double share) { progress.done(share); },
-        request.threads);
-  }
-  catch (const std::runtime_error& error)
-  {
-    throw std::runtime_error(shownName(request.file) + ": " + params::oneLine(error));
-  }
+  naming(shownName(request.file),
+         [&]
+         {
+           voxel::insertScans(
+               map, scans, request.insertion, &warnings,
+               [&](double share) { progress.done(share); }, request.threads);
+         });
   if (map.empty())
     throw std::runtime_error(shownName(request.file) + ": no usable point in " +
                              params::counted(scans.size(), "scan"));
@@ -180,8 +189,13 @@ void InputMap::buildFromCloud(files::InputStream& stream, const InputRequest& re
   voxel::VoxelGrid grid(resolutionOf(request));
   auto times = request.trajectory.times;
   times.maxGap = request.log.maxPoseGap;
-  const auto inserted = voxel::insertCloud(grid, input.cloud, input.sensor, times,
-                                           voxel::rayParamsOf(request.insertion), request.threads);
+  const auto inserted =
+      naming(stream.name(),
+             [&]
+             {
+               return voxel::insertCloud(grid, input.cloud, input.sensor, times,
+                                         voxel::rayParamsOf(request.insertion), request.threads);
+             });
   checkCovered(input, stream.name(), request.trajectory, inserted.points, inserted.uncovered);
   m_built.emplace(grid.resolution());
   m_built->setGrid(std::move(grid), request.insertion);

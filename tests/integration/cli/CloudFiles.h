@@ -12,7 +12,8 @@
 namespace mrpt_mapconv::testing
 {
 /** What a sensor at UTM coordinates saw, one point after the other: it goes 12 m along x, 1 m up,
- * and sees a floor at z = 200.03 m. Numbers are such that floats hold them. */
+ * and sees a floor at z = 200.03 m. Numbers are such that floats hold them, and no point lies
+ * between two voxels of 0.125 m. */
 struct FloorSurvey
 {
   static constexpr double kX = 448258, kY = 5411929, kZ = 200;
@@ -22,12 +23,13 @@ struct FloorSurvey
   static double time(int i) { return i * kSpacing; }
   static mrpt::math::TPoint3D sensor(double seconds)
   {
-    return {kX + 0.160156250 * seconds, kY + 1.03125, kZ + 1.03125};
+    return {kX + 0.00390625 + 0.15625 * seconds, kY + 1.03125, kZ + 1.03125};
   }
   /** In the sensor's frame: a fan to either side. */
   static mrpt::math::TPoint3Df seen(int i)
   {
-    return {0.5f * static_cast<float>(i % 3), 0.25f * static_cast<float>(i % 9 - 4), -1};
+    return {0.13f + 0.37f * static_cast<float>(i % 3),
+            0.017f + 0.211f * static_cast<float>(i % 9 - 4), -1.003f};
   }
   static mrpt::math::TPoint3D point(int i)
   {
@@ -56,8 +58,8 @@ struct FloorSurvey
   /** How a cloud's text is written. */
   struct Text
   {
-    double unit = 1;                          //!< of lengths [m]
-    double timeUnit = 1, timeOffset = 1.6e9;  //!< of times: less the offset, by the unit [s]
+    double unit = 1;                      //!< of lengths [m]
+    double timeUnit = 1, timeOffset = 0;  //!< of times: less the offset, by the unit [s]
     std::string header = "x,y,z,time\n";
   };
   static void writeCloud(const std::string& path, const Text& text)

@@ -42,9 +42,10 @@ class CloudInput : public ::testing::Test
   Outcome make(const std::string& command, const std::string& file,
                const std::vector<std::string>& flags = {}) const
   {
-    return mapconv(
-        {command, path(file), "-o", path(file) + "." + command, "--resolution", "0.125", "--json"} +
-        flags);
+    const std::string out = path(file) + "." + command;
+    return mapconv(std::vector<std::string>{command, path(file), "-o", out, "--resolution", "0.125",
+                                            "--json"} +
+                   flags);
   }
   std::string bytesOf(const std::string& command, const std::string& file) const
   {
@@ -69,12 +70,13 @@ class CloudInput : public ::testing::Test
       EXPECT_TRUE(bytesOf(command, "a.rawlog") == bytesOf(command, cloud)) << command;
     }
   }
-  /** One error that holds these words, of convert and of terrain. */
+  /** One error that holds these words, of convert and of terrain, which leave nothing. */
   void expectErrors(const std::string& file, const std::vector<std::string>& flags,
                     const std::vector<std::string>& words) const
   {
     for (const std::string command : {"convert", "terrain"})
     {
+      std::filesystem::remove_all(path(file) + "." + command);
       const auto run = make(command, file, flags);
       EXPECT_EQ(1, run.status) << command;
       EXPECT_EQ("", run.out);
