@@ -284,6 +284,23 @@ TEST_F(CloudInput, whatSeemsToBeDegreesGetsAWarning)
   }
 }
 
+TEST_F(CloudInput, aSystemThatIsNotKnownGetsAWarningAndIsLeftOut)
+{
+  cloud::PointCloud cloud;
+  cloud.x = {0, 1};
+  cloud.y = cloud.z = cloud.time = {0, 1};
+  cloud.coordinateSystem = "PROJCS[\"somewhere\",GEOGCS[]]";
+  cloud::writeCloudFile(path("a.las"), cloud);
+  write("way.txt", "0 0 0 3 0 0 0\n1 0 0 3 0 0 0\n");
+  const auto run = make("terrain", "a.las", along("way.txt"));
+  ASSERT_EQ(0, run.status) << run.err;
+  EXPECT_TRUE(contains(run.err,
+                       "a.las: its coordinate system is not known, so GeoTIFFs name none; "
+                       "--crs does"))
+      << run.err;
+  EXPECT_EQ(grid::readGeoReference(path("a.las.terrain/layers.tif")).coordinateSystem, "");
+}
+
 TEST_F(CloudInput, systemsInDegreesAreWrongUsage)
 {
   const auto run = make("terrain", "a.rawlog", {"--crs", "EPSG:4326"});
