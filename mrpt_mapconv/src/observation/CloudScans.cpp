@@ -71,10 +71,10 @@ CloudScan CloudScans::scan(std::size_t index) const
   for (std::size_t i = begin; i < end; ++i)
   {
     const std::size_t point = m_order[i];
-    mrpt::math::TPoint3D seen;
-    pose.inverseComposePoint({m_cloud.x[point], m_cloud.y[point], m_cloud.z[point]}, seen);
-    if (const auto rounded = seen.cast<float>(); rounded != mrpt::math::TPoint3Df(0, 0, 0))
-      scan.points.points.push_back(rounded);
+    const auto seen =
+        pose.inverseComposePoint({m_cloud.x[point], m_cloud.y[point], m_cloud.z[point]})
+            .cast<float>();
+    if (seen.sqrNorm() > 0) scan.points.points.push_back(seen);
   }
   return scan;
 }
