@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "command/Command.h"
+#include "input/CloudInput.h"
 #include "input/GroundSettings.h"
 #include "input/InputFile.h"
 #include "input/InputOptions.h"
@@ -106,6 +107,7 @@ std::pair<CLI::App*, Command> addGround(CLI::App& app)
   addColumnsOption(*sub, options->input.columns);
   addPoseOptions(*sub, options->input.log);
   addGeoOptions(*sub, options->input.geo);
+  addUnitOption(*sub, options->input.geo);
   addThreadsOption(*sub, options->threads);
   sub->footer(
       "Example:\n"

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "command/Command.h"
+#include "input/CloudInput.h"
 #include "input/InputFile.h"
-#include "input/InputOptions.h"
 #include "input/NoEffect.h"
 #include "output/Console.h"
 #include "output/InfoReport.h"
@@ -41,7 +41,7 @@ int info(const InfoOptions& options)
       report.line("bytes", std::to_string(*bytes));
     }
     NoEffect noEffect;
-    noteColumns(options.columns, stream, noEffect);
+    noteColumns(stream, options.columns, noEffect);
     noEffect.warn();
     if (cloud::isCloud(stream))
       describeCloudFile(stream, options.columns, report);

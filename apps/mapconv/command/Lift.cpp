@@ -40,7 +40,7 @@ path::LiftedPath lifted(const std::vector<mrpt::math::TPoint2D>& path2D, const M
   }
   catch (const std::invalid_argument& error)
   {
-    throw std::runtime_error(file + ": " + error.what() + originText(map.reference()));
+    throw std::runtime_error(file + ": " + error.what());
   }
 }
 
@@ -56,15 +56,13 @@ void checkPath(const path::LiftedPath& path, const MapFolder& map, const path::L
                       [](const auto& point) { return point.problem != path::Infeasibility::None; });
     throw std::runtime_error(file + ": " + path.describeProblem(*problem) + " (" +
                              std::to_string(bad) + " of " + std::to_string(path.points.size()) +
-                             " points cannot be reached; nothing written)" +
-                             originText(map.reference()));
+                             " points cannot be reached; nothing written)");
   }
   const auto problems =
       path::PieceCheck(map.layers(), map.params(), params, map.voxels()).problems(path);
   if (!problems.empty())
     throw std::runtime_error(file + ": point " + std::to_string(problems.front().index) + " " +
-                             problems.front().inWords() + " (nothing written)" +
-                             originText(map.reference()));
+                             problems.front().inWords() + " (nothing written)");
 }
 
 int lift(const LiftOptions& options)
@@ -82,7 +80,7 @@ int lift(const LiftOptions& options)
   const auto path = lifted(path2D, map, params, shownName(options.pathFile));
   checkPath(path, map, params, shownName(options.pathFile));
   files::AtomicFile file(options.outputFile);
-  files::writeFile(file.stagingPath(), pathCsv(path, map.reference().origin));
+  files::writeFile(file.stagingPath(), pathCsv(path));
   file.commit();
   JsonObject json = pathJson(path);
   result.print(options.json

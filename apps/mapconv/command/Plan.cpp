@@ -51,7 +51,7 @@ void writeOutputs(const PlanOptions& options, const MapFolder& map, const planni
   picture.title = "Path of the " + options.robot + " robot";
   const grid::PicturePath path{flat(way.path),
                                "path, " + pathLengths(way.path) + ", from the ring to the disc"};
-  files::writeFile(out.path(file.filename().string()), pathCsv(way.path, map.reference().origin));
+  files::writeFile(out.path(file.filename().string()), pathCsv(way.path));
   grid::writeLayerPng(out.path(stem + ".png"), picture, path);
   writePathScene(out.path(stem + ".3Dscene"), map.layers(), picture, map.octree(), way.path);
 }
@@ -99,8 +99,7 @@ int plan(const PlanOptions& options)
     job.progress().stage("trying what would help");
     throw std::runtime_error(
         options.dir + ": no path: " + way.problem +
-        remediesText(planning::findRemedies(map.layers(), map.params(), query, map.voxels())) +
-        originText(map.reference()));
+        remediesText(planning::findRemedies(map.layers(), map.params(), query, map.voxels())));
   }
   const std::string folder = std::filesystem::path(options.outputFile).parent_path().string();
   job.write(folder.empty() ? "." : folder,

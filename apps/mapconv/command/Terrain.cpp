@@ -14,12 +14,10 @@
 #include <vector>
 
 #include "command/Command.h"
-#include "input/EachScan.h"
-#include "input/GeoOptions.h"
 #include "input/InputFile.h"
 #include "input/InputOptions.h"
-#include "input/ScanFile.h"
 #include "input/TerrainBuilder.h"
+#include "input/TerrainInput.h"
 #include "input/TerrainSettings.h"
 #include "output/Console.h"
 #include "output/Job.h"
@@ -35,11 +33,10 @@ namespace
 {
 struct TerrainOptions
 {
-  std::string file, iniFile, outputDir;
+  TerrainRequest input;
+  std::string iniFile, outputDir;
   std::string worldFile;  // empty: the truth is not known
   TerrainFlags flags;
-  observation::RawlogOptions log;
-  GeoOptions geo;
   int threads = 0;
   bool json = false;
 };
@@ -170,17 +167,12 @@ int mapTerrain(const TerrainOptions& options)
 
   const std::vector<eval::TrueStep> truth = trueStepsOf(options.worldFile, settings);
 
-  ScanFile file = job.stage(
-      "load", [&] { return read3DScans(options.file, options.log, noEffect, job.progress()); });
-  const auto reference = moveToOrigin(file.scans, options.geo, 0);
-  const std::string name = shownName(options.file);
+  const std::string name = shownName(options.input.file);
+  const TerrainInput input =
+      job.stage("load", [&] { return TerrainInput(options.input, noEffect, job.progress()); });
   TerrainBuilder builder(settings);
   job.stage("insert", "inserting the scans of " + name,
-            [&]
-            {
-              forEachScan(file.scans, name, job.progress(),
-                          [&](const auto& scan) { builder.insert(scan); });
-            });
+            [&] { input.insertInto(builder, job.progress()); });
   requireCells(builder, name);
   noteUnusedSigmas(builder, name, noEffect);
   noEffect.warn();
@@ -188,11 +180,11 @@ int mapTerrain(const TerrainOptions& options)
   job.stage("planes", "finding planes", [&] { builder.finish(options.threads); });
   TerrainResult result{builder, job.stage("layers", [&] { return builder.map().layers(); }), {}};
   if (!options.worldFile.empty()) result.steps = eval::matchSteps(truth, builder.map());
-  job.write(options.outputDir,
-            [&](files::OutputDir& out) { writeOutputs(result, reference, out, job.progress()); });
+  job.write(options.outputDir, [&](files::OutputDir& out)
+            { writeOutputs(result, input.reference(), out, job.progress()); });
 
-  const SummaryHead head{name, file.description, options.outputDir, result.layers.height.frame(),
-                         reference};
+  const SummaryHead head{name, input.description(), options.outputDir, result.layers.height.frame(),
+                         input.reference()};
   job.print(options.json ? jsonSummary(head, result, job.seconds())
                          : textSummary(head, result, job.seconds()));
   return 0;
@@ -202,10 +194,12 @@ int mapTerrain(const TerrainOptions& options)
 std::pair<CLI::App*, Command> addTerrain(CLI::App& app)
 {
   CLI::App* sub = app.add_subcommand(
-      "terrain", "Makes an adaptive terrain map of 3D scans: heights, planes, steps");
+      "terrain", "Makes an adaptive terrain map of 3D scans or clouds: heights, planes, steps");
   auto options = std::make_shared<TerrainOptions>();
-  sub->add_option("INPUT", options->file,
-                  std::string("a .rawlog or .simplemap with 3D scans") + kOrStdin)
+  sub->add_option("INPUT", options->input.file,
+                  std::string("a .rawlog or .simplemap with 3D scans, or a cloud of points with "
+                              "times") +
+                      kOrStdin)
       ->required()
       ->type_name("");
   addOutputOptions(*sub, options->outputDir, options->json);
@@ -219,8 +213,11 @@ std::pair<CLI::App*, Command> addTerrain(CLI::App& app)
                   "the world that was simulated: lists the steps on the robot's way beside the "
                   "true ones")
       ->type_name("WORLD.ini");
-  addPoseOptions(*sub, options->log);
-  addGeoOptions(*sub, options->geo);
+  addPoseOptions(*sub, options->input.log);
+  addGeoOptions(*sub, options->input.geo);
+  addUnitOption(*sub, options->input.geo);
+  addColumnsOption(*sub, options->input.columns);
+  addTrajectoryOptions(*sub, options->input.trajectory);
   addThreadsOption(*sub, options->threads);
   sub->footer(
       "Example:\n"

@@ -11,13 +11,18 @@ using mrpt_mapconv::observation::PosedObservation;
 void forEachScan(const std::vector<PosedObservation>& scans, const std::string& file,
                  Progress& progress, const std::function<void(const PosedObservation&)>& insert)
 {
-  std::size_t count = 0;
-  for (const auto& scan : scans)
+  forEachScan(scans.size(), file, progress, [&](std::size_t index) { insert(scans[index]); });
+}
+
+void forEachScan(std::size_t scans, const std::string& file, Progress& progress,
+                 const std::function<void(std::size_t)>& insert)
+{
+  for (std::size_t i = 0; i < scans; ++i)
   {
-    progress.done(static_cast<double>(count++) / static_cast<double>(scans.size()));
+    progress.done(static_cast<double>(i) / static_cast<double>(scans));
     try
     {
-      insert(scan);
+      insert(i);
     }
     catch (const std::invalid_argument&)
     {
@@ -25,9 +30,8 @@ void forEachScan(const std::vector<PosedObservation>& scans, const std::string& 
     }
     catch (const std::exception& error)
     {
-      throw std::runtime_error(file + ": scan " + std::to_string(count) + " of " +
-                               std::to_string(scans.size()) + ": " +
-                               mrpt_mapconv::params::oneLine(error));
+      throw std::runtime_error(file + ": scan " + std::to_string(i + 1) + " of " +
+                               std::to_string(scans) + ": " + mrpt_mapconv::params::oneLine(error));
     }
   }
 }

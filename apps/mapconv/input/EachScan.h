@@ -2,6 +2,7 @@
 
 #include <mrpt_mapconv/observation/ScanLog.h>
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
@@ -18,5 +19,8 @@ void forEachScan(
     const std::vector<mrpt_mapconv::observation::PosedObservation>& scans, const std::string& file,
     Progress& progress,
     const std::function<void(const mrpt_mapconv::observation::PosedObservation&)>& insert);
+/** The same of so many scans, by their index. */
+void forEachScan(std::size_t scans, const std::string& file, Progress& progress,
+                 const std::function<void(std::size_t)>& insert);
 
 }  // namespace mapconv

@@ -2,9 +2,9 @@
 
 #include <mrpt_mapconv/cloud/CloudFile.h>
 #include <mrpt_mapconv/files/ObjectFile.h>
-#include <mrpt_mapconv/observation/TrajectoryFile.h>
 #include <mrpt_mapconv/params/Require.h>
 #include <mrpt_mapconv/params/Text.h>
+#include <mrpt_mapconv/voxel/CloudRays.h>
 #include <mrpt_mapconv/voxel/LeafProbabilities.h>
 #include <mrpt_mapconv/voxel/OcTreeCopy.h>
 #include <mrpt_mapconv/voxel/OctreeFile.h>
@@ -50,22 +50,31 @@ double resolutionOf(const InputRequest& request)
   return request.resolution.value_or(voxel::VoxelMapParams().resolution);
 }
 
+/** Does it; errors name the file. */
+template <class Work>
+auto naming(const std::string& file, const Work& work)
+try
+{
+  return work();
+}
+catch (const std::runtime_error& error)
+{
+  throw std::runtime_error(file + ": " + params::oneLine(error));
+}
+
 voxel::VoxelMap buildMap(const std::vector<observation::PosedObservation>& scans,
                          const InputRequest& request, Progress& progress)
 {
   voxel::VoxelMap map(resolutionOf(request));
   const ConsoleLog log;
   observation::SayOnceLog warnings(&log);
-  try
-  {
-    voxel::insertScans(
-        map, scans, request.insertion, &warnings, [&](double share) { progress.done(share); },
-        request.threads);
-  }
-  catch (const std::runtime_error& error)
-  {
-    throw std::runtime_error(shownName(request.file) + ": " + params::oneLine(error));
-  }
+  naming(shownName(request.file),
+         [&]
+         {
+           voxel::insertScans(
+               map, scans, request.insertion, &warnings,
+               [&](double share) { progress.done(share); }, request.threads);
+         });
   if (map.empty())
     throw std::runtime_error(shownName(request.file) + ": no usable point in " +
                              params::counted(scans.size(), "scan"));
@@ -85,7 +94,7 @@ void checkDimensions(const std::vector<observation::PosedObservation>& scans,
 }  // namespace
 
 InputMap::InputMap(const InputRequest& request, Progress& progress)
-    : m_noEffect(request.noEffect), m_reference{{}, request.geo.coordinateSystem}
+    : m_noEffect(request.noEffect), m_reference(referenceOf({}, request.geo.coordinateSystem))
 {
   read(request, progress);
   m_noEffect.warn();
@@ -95,14 +104,10 @@ void InputMap::read(const InputRequest& request, Progress& progress)
 {
   progress.stage("reading " + shownName(request.file));
   files::InputStream stream = openInput(request.file);
-  if (isOctree(stream))
-  {
-    readTree(stream, request);
-    return;
-  }
-  if (cloud::isCloud(stream)) return buildFromCloud(stream, request, progress);
-  if (!request.trajectory.empty())
-    m_noEffect.add({"--trajectory"}, shownName(request.file) + " is no cloud of points");
+  if (!isOctree(stream) && cloud::isCloud(stream)) return buildFromCloud(stream, request, progress);
+  noteCloudOptions(request.trajectory, request.columns, request.geo, shownName(request.file),
+                   m_noEffect);
+  if (isOctree(stream)) return readTree(stream, request);
   files::ObjectFile file(std::move(stream));
   readObject(file, request, progress);
 }
@@ -164,38 +169,25 @@ void InputMap::readObject(files::ObjectFile& file, const InputRequest& request, 
 void InputMap::buildFromCloud(files::InputStream& stream, const InputRequest& request,
                               Progress& progress)
 {
-  const std::string name = shownName(request.file);
-  if (request.trajectory.empty())
-    throw std::runtime_error(
-        name +
-        ": is a cloud of points, which does not say from where they were seen: --trajectory "
-        "FILE with the sensor's poses is missing; info and ground do without");
-  const cloud::PointCloud cloud = cloud::readCloud(stream, {request.geo.origin});
-  if (cloud.time.empty())
-    throw std::runtime_error(name +
-                             ": its points have no times, so nobody knows from where each was "
-                             "seen; info and ground do without");
-  const auto track = observation::readTrajectoryFile(request.trajectory);
-  progress.stage("inserting the points of " + name);
+  const SeenCloud input =
+      readSeenCloud(stream, request.geo, request.columns, request.trajectory, m_noEffect);
+  progress.stage("inserting the points of " + stream.name());
   voxel::VoxelGrid grid(resolutionOf(request));
-  auto times = request.times;
+  auto times = request.trajectory.times;
   times.maxGap = request.log.maxPoseGap;
-  const auto inserted = voxel::insertCloud(grid, cloud, track, times,
-                                           voxel::rayParamsOf(request.insertion), request.threads);
-  if (inserted.points == 0)
-    throw std::runtime_error(name + ": not one of its points has a time that " +
-                             request.trajectory +
-                             " covers; --time-unit and --time-offset bring "
-                             "the cloud's times to those of the trajectory");
-  if (inserted.uncovered > 0)
-    printWarning(std::to_string(inserted.uncovered) + " of " + std::to_string(cloud.size()) +
-                 " points left out: " + request.trajectory + " has no pose at their times");
+  const auto inserted =
+      naming(stream.name(),
+             [&]
+             {
+               return voxel::insertCloud(grid, input.cloud, input.sensor, times,
+                                         voxel::rayParamsOf(request.insertion), request.threads);
+             });
+  checkCovered(input, stream.name(), request.trajectory, inserted.points, inserted.uncovered);
   m_built.emplace(grid.resolution());
   m_built->setGrid(std::move(grid), request.insertion);
   m_source = m_built->source();
-  m_reference = {cloud.origin, request.geo.coordinateSystem.empty() ? cloud.coordinateSystem
-                                                                    : request.geo.coordinateSystem};
-  m_description = "cloud (" + params::counted(inserted.points, "point") + ")";
+  m_reference = input.reference;
+  m_description = describeCloud(input.cloud, inserted.points);
 }
 
 void InputMap::buildFromScans(files::ObjectFile& log, LogKind kind, const InputRequest& request,

@@ -2,7 +2,6 @@
 
 #include <mrpt/serialization/CSerializable.h>
 #include <mrpt_mapconv/observation/ScanLog.h>
-#include <mrpt_mapconv/voxel/CloudRays.h>
 #include <mrpt_mapconv/voxel/VoxelInsertion.h>
 #include <mrpt_mapconv/voxel/VoxelMap.h>
 #include <mrpt_mapconv/voxel/VoxelSource.h>
@@ -12,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "input/CloudInput.h"
 #include "input/GeoOptions.h"
 #include "input/NoEffect.h"
 #include "input/ScanFile.h"
@@ -34,8 +34,8 @@ struct InputRequest
   int threads = 0;                               //!< that build it; 0: all cores
   mrpt_mapconv::observation::RawlogOptions log;  //!< where the poses of a rawlog come from
   GeoOptions geo;                                //!< where the map lies
-  std::string trajectory;                 //!< file of the sensor's poses over time; of a cloud
-  mrpt_mapconv::voxel::CloudTimes times;  //!< of a cloud
+  TrajectoryOptions trajectory;                  //!< of a cloud
+  std::string columns;                           //!< names of a text's columns; of a cloud
   mrpt_mapconv::voxel::TVoxelInsertionOptions insertion;  //!< how scans are inserted
   std::vector<std::string> insertionKeys;  //!< of `insertion`, those that iniFile changes
   NoEffect noEffect;                       //!< what else was asked for in vain

@@ -1,6 +1,5 @@
 #include "input/InputOptions.h"
 
-#include <mrpt_mapconv/files/CloudFormat.h>
 #include <mrpt_mapconv/voxel/VoxelMapParams.h>
 
 #include <CLI/CLI.hpp>
@@ -26,13 +25,12 @@ CLI::Validator numberThat(bool (*isOk)(double), const std::string& right)
       },
       "");
 }
+}  // namespace
 
-/** Finite numbers > 0, for lengths. */
 CLI::Validator isPositive()
 {
   return numberThat([](double value) { return std::isfinite(value) && value > 0; }, "a number > 0");
 }
-}  // namespace
 
 CLI::Validator isNotNegative()
 {
@@ -76,21 +74,6 @@ void addPoseOptions(CLI::App& app, observation::RawlogOptions& options)
       ->type_name("S");
 }
 
-void addColumnsOption(CLI::App& app, std::string& columns)
-{
-  app.add_option("--columns", columns,
-                 "names of a text's columns, such as x,y,z,_,time, if it has no line of them")
-      ->type_name("NAMES");
-}
-
-void noteColumns(const std::string& columns, files::InputStream& stream, NoEffect& noEffect)
-{
-  // columns can only be named where there are no names
-  const auto format = files::cloudFormatOf({stream.name(), stream.preview(), stream.fileSize()});
-  if (!columns.empty() && format != files::CloudFormat::Text)
-    noEffect.add({"--columns"}, stream.name() + " is no text of points");
-}
-
 void addThreadsOption(CLI::App& app, int& threads)
 {
   app.add_option("--threads", threads, "number of threads, default 0 = all cores")
@@ -101,8 +84,8 @@ void addThreadsOption(CLI::App& app, int& threads)
 void addInputOptions(CLI::App& app, InputOptions& options)
 {
   app.add_option("INPUT", options.input.file,
-                 std::string("a .bt or .ot of OctoMap, a .simplemap, a .rawlog, or a serialized "
-                             "MRPT map that holds an octomap") +
+                 std::string("a .bt or .ot of OctoMap, a .simplemap, a .rawlog, a serialized MRPT "
+                             "map that holds an octomap, or a cloud of points with times") +
                      kOrStdin)
       ->required()
       ->type_name("");
@@ -117,18 +100,9 @@ void addInputOptions(CLI::App& app, InputOptions& options)
       ->type_name("M");
   addPoseOptions(app, options.input.log);
   addGeoOptions(app, options.input.geo);
-  app.add_option("--trajectory", options.input.trajectory,
-                 "poses of the sensor of a cloud: lines of t x y z yaw pitch roll [s, m, rad], of "
-                 "TUM's t x y z qx qy qz qw, or with a covariance")
-      ->type_name("FILE");
-  app.add_option("--time-unit", options.input.times.unit,
-                 "unit of a cloud's times [s], default 1: 1e-6 for microseconds")
-      ->check(isPositive())
-      ->type_name("S");
-  app.add_option("--time-offset", options.input.times.offset,
-                 "added to a cloud's times to get those of the trajectory [s], default 0")
-      ->check(isFinite())
-      ->type_name("S");
+  addUnitOption(app, options.input.geo);
+  addColumnsOption(app, options.input.columns);
+  addTrajectoryOptions(app, options.input.trajectory);
   addThreadsOption(app, options.threads);
 }
 

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <mrpt_mapconv/files/InputStream.h>
-
 #include <CLI/App.hpp>
 #include <optional>
 #include <string>
@@ -26,14 +24,11 @@ void addOutputOptions(CLI::App& app, std::string& dir, bool& json);
 /** The options for where the poses of a rawlog come from. */
 void addPoseOptions(CLI::App& app, mrpt_mapconv::observation::RawlogOptions& options);
 
-/** The option for the columns of a text that holds a cloud. */
-void addColumnsOption(CLI::App& app, std::string& columns);
-/** Notes that option for an input that is no such text. */
-void noteColumns(const std::string& columns, mrpt_mapconv::files::InputStream& stream,
-                 NoEffect& noEffect);
-
 /** The option for the number of threads. */
 void addThreadsOption(CLI::App& app, int& threads);
+
+/** Accepts finite numbers above 0. */
+CLI::Validator isPositive();
 
 /** Accepts finite numbers from 0 on. */
 CLI::Validator isNotNegative();

@@ -10,7 +10,6 @@
 #include <stdexcept>
 
 #include "output/Console.h"
-#include "output/Json.h"
 
 namespace mapconv
 {
@@ -63,12 +62,5 @@ MapFolder::MapFolder(const std::string& dir) : m_file(freespace::readLayersTiff(
 }
 
 MapFolder::~MapFolder() = default;
-
-std::string originText(const grid::GeoReference& reference)
-{
-  if (reference.isLocal()) return "";
-  return " (places are told less the map's origin, " + jsonNumber(reference.origin.x) + ", " +
-         jsonNumber(reference.origin.y) + " m)";
-}
 
 }  // namespace mapconv

@@ -38,7 +38,4 @@ class MapFolder
   std::unique_ptr<mrpt_mapconv::voxel::VoxelSource> m_source;
 };
 
-/** What messages add that tell places of a map with an origin; empty for others. */
-std::string originText(const mrpt_mapconv::grid::GeoReference& reference);
-
 }  // namespace mapconv

@@ -64,6 +64,7 @@ void addPathOptions(CLI::App& app, PathOptions& options, const std::string& safe
 path::LiftParams liftParamsOf(const PathOptions& options, const MapFolder& map, double safetyRadius)
 {
   path::LiftParams params;
+  params.shownOrigin = map.reference().origin;
   params.robot = options.robot == "ground" ? Robot::Ground : Robot::Aerial;
   params.safetyRadius = options.safetyRadius.value_or(safetyRadius);
   params.heightOffset = options.heightOffset.value_or(

@@ -13,9 +13,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "input/CloudInput.h"
 #include "input/EachScan.h"
 #include "input/InputFile.h"
-#include "input/InputOptions.h"
 #include "input/MapOrScans.h"
 #include "output/Console.h"
 
@@ -29,17 +29,9 @@ PointInput ofCloud(files::InputStream& stream, const PointRequest& request, NoEf
 {
   const std::string name = shownName(request.file);
   noteRawlogOptions(request.log, name, noEffect);
-  PointInput input;
-  input.cloud = cloud::readCloud(stream, {request.geo.origin, request.columns});
-  if (input.cloud.empty()) throw std::runtime_error(name + ": holds no point");
-  if (input.cloud.notFinite > 0)
-    printWarning(params::counted(input.cloud.notFinite, "point") +
-                 " left out: a coordinate is NaN or infinite");
-  const std::string& crs = request.geo.coordinateSystem;
-  input.reference = {input.cloud.origin, crs.empty() ? input.cloud.coordinateSystem : crs};
-  input.description =
-      input.cloud.format + " (" + params::counted(input.cloud.size(), "point") + ")";
-  return input;
+  CloudInput read = readCloudInput(stream, request.geo, request.columns, noEffect);
+  const std::string description = describeCloud(read.cloud, read.cloud.size());
+  return {std::move(read.cloud), std::move(read.reference), description};
 }
 
 PointInput ofTree(const octomap::AbstractOcTree& tree, const std::string& kind,
@@ -51,7 +43,7 @@ PointInput ofTree(const octomap::AbstractOcTree& tree, const std::string& kind,
   PointInput input;
   input.cloud = voxel::occupiedCentres(*voxel::makeOctreeSource(tree));
   if (input.cloud.empty()) throw std::runtime_error(name + ": not one of its voxels is occupied");
-  input.reference.coordinateSystem = request.geo.coordinateSystem;
+  input.reference = referenceOf({0, 0, 0}, request.geo.coordinateSystem);
   input.description = kind + ", " + params::counted(input.cloud.size(), "occupied voxel");
   return input;
 }
@@ -89,13 +81,13 @@ PointInput readPoints(const PointRequest& request, NoEffect& noEffect, Progress&
 {
   progress.stage("reading " + shownName(request.file));
   files::InputStream stream = openInput(request.file);
-  noteColumns(request.columns, stream, noEffect);
+  if (cloud::isCloud(stream)) return ofCloud(stream, request, noEffect);
+  noteCloudOptions({}, request.columns, request.geo, shownName(request.file), noEffect);
   if (isOctree(stream))
   {
     const auto tree = voxel::readOctree(stream);
     return ofTree(*tree, "OctoMap file (" + tree->getTreeType() + ")", request, noEffect);
   }
-  if (cloud::isCloud(stream)) return ofCloud(stream, request, noEffect);
   files::ObjectFile file(std::move(stream));
   const MapOrScans found = findMapOrScans(file);
   if (found.scans) return ofScans(file, *found.scans, request, noEffect, progress);

@@ -34,9 +34,8 @@ std::string describe(const std::string& kind, const std::vector<PosedObservation
   return kind + " (" + params::counted(scans.size(), "scan") + ")";
 }
 
-files::ObjectFile openLog(const std::string& path)
+files::ObjectFile openLog(files::InputStream stream)
 {
-  files::InputStream stream = openInput(path);
   if (voxel::beginsAsOctree(stream.preview()))
     throw std::runtime_error(stream.name() +
                              ": holds no scans, but an octree; a .rawlog or .simplemap does");
@@ -103,7 +102,13 @@ ScanFile read3DScans(const std::string& path, const observation::RawlogOptions& 
                      NoEffect& noEffect, Progress& progress)
 {
   progress.stage("reading " + shownName(path));
-  files::ObjectFile log = openLog(path);
+  return read3DScans(openInput(path), options, noEffect);
+}
+
+ScanFile read3DScans(files::InputStream stream, const observation::RawlogOptions& options,
+                     NoEffect& noEffect)
+{
+  files::ObjectFile log = openLog(std::move(stream));
   ScanFile file = readScans(log, logKindIn(log), options, noEffect);
   if (!observation::has3DScan(file.scans))
     throw std::runtime_error(log.path() + ": holds " + params::counted(file.scans.size(), "scan") +

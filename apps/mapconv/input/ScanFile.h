@@ -42,8 +42,10 @@ ScanFile readScans(mrpt_mapconv::files::ObjectFile& log, LogKind kind,
                    const mrpt_mapconv::observation::RawlogOptions& options, NoEffect& noEffect);
 
 /** The same of a file that has to hold 3D scans.
- * \param path "-": what is piped in \exception std::runtime_error likewise, also if it holds
- * something else or only 2D scans */
+ * \exception std::runtime_error likewise, also if it holds something else or only 2D scans */
+ScanFile read3DScans(mrpt_mapconv::files::InputStream stream,
+                     const mrpt_mapconv::observation::RawlogOptions& options, NoEffect& noEffect);
+/** \param path "-": what is piped in */
 ScanFile read3DScans(const std::string& path,
                      const mrpt_mapconv::observation::RawlogOptions& options, NoEffect& noEffect,
                      Progress& progress);

@@ -33,20 +33,31 @@ void TerrainBuilder::insert(const PosedObservation& scan)
   }
   m_points.clear();
   observation::sensorPoints(*scan.observation, scan.robotPose, m_points, &m_warnings);
-  if (m_points.points.empty()) return skip("no usable point");
-  if (!observation::isFinite(m_points.sensorPose)) return skip("its pose is not finite");
+  insert(m_points, scan.poseCovariance);
+}
+
+void TerrainBuilder::insert(const observation::CloudScan& scan)
+{
+  insert(scan.points, scan.poseCovariance);
+}
+
+void TerrainBuilder::insert(const observation::SensorPoints& points,
+                            const std::optional<observation::HeightCovariance>& poseCovariance)
+{
+  if (points.points.empty()) return skip("no usable point");
+  if (!observation::isFinite(points.sensorPose)) return skip("its pose is not finite");
   const auto& options = m_settings.insertion;
-  const auto used = terrain::usedPoints(m_points, options.limits);
+  const auto used = terrain::usedPoints(points, options.limits);
   m_figures.beyondLimits += used.leftOut;
   if (used.points.empty()) return skip("no point within maxRange, minHeight and maxHeight");
   auto frame = terrain::frameOf(used, m_map);
   if (m_map.params().localWindow <= 0) frame = unite(m_map.frame(), frame);
   m_settings.grid.checkSize(frame);
 
-  const auto covariance = scan.poseCovariance.value_or(options.sigmas.poseCovariance());
-  const auto inserted = terrain::insertScan(m_map, m_points, used, options.sigmas, covariance);
+  const auto covariance = poseCovariance.value_or(options.sigmas.poseCovariance());
+  const auto inserted = terrain::insertScan(m_map, points, used, options.sigmas, covariance);
   ++m_figures.scans;
-  m_figures.withCovariance += scan.poseCovariance.has_value();
+  m_figures.withCovariance += poseCovariance.has_value();
   m_figures.points += inserted.inserted;
   m_figures.outsideWindow += inserted.outside;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <mrpt_mapconv/observation/CloudScans.h>
 #include <mrpt_mapconv/observation/SayOnceLog.h>
 #include <mrpt_mapconv/observation/ScanLog.h>
 #include <mrpt_mapconv/observation/SensorPoints.h>
@@ -7,6 +8,7 @@
 
 #include <cstddef>
 #include <map>
+#include <optional>
 #include <string>
 
 #include "input/TerrainSettings.h"
@@ -34,8 +36,10 @@ class TerrainBuilder
   explicit TerrainBuilder(const TerrainSettings& settings);
 
   /** \exception std::exception for damaged scans, points too far away and layers that would be too
-   * large */
+   * large @{ */
   void insert(const mrpt_mapconv::observation::PosedObservation& scan);
+  void insert(const mrpt_mapconv::observation::CloudScan& scan);
+  /** @} */
   /** Finds planes and leaves. \param threads 0 = all cores */
   void finish(int threads) { m_map.update(threads); }
 
@@ -44,6 +48,8 @@ class TerrainBuilder
   const TerrainFigures& figures() const { return m_figures; }
 
  private:
+  void insert(const mrpt_mapconv::observation::SensorPoints& points,
+              const std::optional<mrpt_mapconv::observation::HeightCovariance>& poseCovariance);
   void skip(const std::string& why) { ++m_figures.skipped[why]; }
 
   TerrainSettings m_settings;

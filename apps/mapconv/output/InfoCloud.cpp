@@ -4,6 +4,7 @@
 #include <mrpt_mapconv/params/Text.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <optional>
 
@@ -19,14 +20,25 @@ using cloud::PointCloud;
 
 constexpr Field kFirstAttribute = Field::Time;
 
+bool isInDegrees(const PointCloud& cloud)
+{
+  return cloud.namedUnits && cloud.namedUnits->kind == grid::SystemKind::Geographic;
+}
+
+std::string unitOf(const PointCloud& cloud, Field axis)
+{
+  if (axis == Field::Z) return grid::unitInWords(cloud.heightUnit);
+  return isInDegrees(cloud) ? "degrees" : grid::unitInWords(cloud.unit);
+}
+
 void describeExtent(const PointCloud& cloud, InfoReport& report)
 {
   for (const Field axis : {Field::X, Field::Y, Field::Z})
     if (const auto range = rangeOf(cloud, axis))
     {
       const std::string name(1, "xyz"[indexOf(axis)]);
-      report.line(name, mrpt::format("%.3f to %.3f (%.3f m)", range->min, range->max,
-                                     range->max - range->min));
+      report.line(name, mrpt::format("%.3f to %.3f (%.3f %s)", range->min, range->max,
+                                     range->max - range->min, unitOf(cloud, axis).c_str()));
       report.json.add(name + "Min", range->min).add(name + "Max", range->max);
     }
 }
@@ -89,6 +101,16 @@ void describeClasses(const PointCloud& cloud, InfoReport& report)
   if (!text.empty()) report.line("classes", text);
   report.json.add("classes", classes);
 }
+
+void describeUnits(const PointCloud& cloud, InfoReport& report)
+{
+  std::string text = unitOf(cloud, Field::X);
+  if (const auto heights = unitOf(cloud, Field::Z); heights != text)
+    text += ", heights in " + heights;
+  report.line("units", text + (cloud.namedUnits ? "" : ", assumed: the file names none"));
+  report.json.add("metresPerUnit", isInDegrees(cloud) ? NAN : cloud.unit);
+  report.json.add("metresPerHeightUnit", cloud.heightUnit);
+}
 }  // namespace
 
 void describeCloudFile(files::InputStream& stream, const std::string& columns, InfoReport& report)
@@ -109,6 +131,7 @@ void describeCloudFile(files::InputStream& stream, const std::string& columns, I
                                 ", of which a coordinate is NaN or infinite");
   report.line("system",
               cloud.coordinateSystem.empty() ? "the file names none" : cloud.coordinateSystem);
+  describeUnits(cloud, report);
   report.json.add("withheld", withheld).add("notFinite", cloud.notFinite);
   report.json.add("coordinateSystem", cloud.coordinateSystem);
 }

@@ -28,12 +28,15 @@ PathFigures figuresOf(const path::LiftedPath& path)
     figures.highest = std::max(figures.highest, point.position.z);
     ++(point.rule == HeightRule::FloorAhead ? figures.floorAhead : figures.sphere);
   }
+  figures.lowest += path.shownOrigin.z;
+  figures.highest += path.shownOrigin.z;
   return figures;
 }
 }  // namespace
 
-std::string pathCsv(const path::LiftedPath& path, const mrpt::math::TPoint3D& origin)
+std::string pathCsv(const path::LiftedPath& path)
 {
+  const auto& origin = path.shownOrigin;
   std::string text = "x,y,z\n";
   for (const auto& point : path.points)
     text += jsonNumber(point.position.x + origin.x) + "," +

@@ -1,6 +1,7 @@
 #include "output/Summary.h"
 
 #include <mrpt/core/format.h>
+#include <mrpt_mapconv/grid/CoordinateSystem.h>
 #include <mrpt_mapconv/grid/OccupancyCell.h>
 #include <mrpt_mapconv/params/Printable.h>
 
@@ -35,6 +36,9 @@ std::string headText(const SummaryHead& head)
         "origin       %s, %s, %s m, taken off in pictures, scenes, gridmaps and "
         "voxels.bt\n",
         jsonNumber(origin.x).c_str(), jsonNumber(origin.y).c_str(), jsonNumber(origin.z).c_str());
+  if (head.reference.unit != 1)
+    text += "GeoTIFF      lies in " + grid::unitInWords(head.reference.unit) +
+            "; all else, also its bands, is in m\n";
   return text;
 }
 
@@ -73,6 +77,7 @@ JsonObject headJson(const SummaryHead& head)
   if (!head.reference.isLocal())
     json.add("originX", origin.x).add("originY", origin.y).add("originZ", origin.z);
   if (!head.reference.coordinateSystem.empty()) json.add("crs", head.reference.coordinateSystem);
+  if (head.reference.unit != 1) json.add("metresPerUnit", head.reference.unit);
   return json.add("cells", frame.size());
 }
 

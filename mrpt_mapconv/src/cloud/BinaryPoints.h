@@ -21,7 +21,7 @@ void visitPresent(const PointCloud& cloud, V&& v)
               });
 }
 
-/** Writes all fields of each point, coordinates with the origin, as they are in memory. */
+/** Writes all fields of each point, coordinates as files have them, in the types of memory. */
 inline void writePoints(const PointCloud& cloud, OutputFile& file)
 {
   for (std::size_t i = 0; i < cloud.size(); ++i)
@@ -31,7 +31,7 @@ inline void writePoints(const PointCloud& cloud, OutputFile& file)
                  {
                    using Value = typename std::decay_t<decltype(values)>::value_type;
                    if constexpr (std::is_same_v<Value, double>)
-                     appendNumber(file.bytes(), values[i] + originOf(cloud, field));
+                     appendNumber(file.bytes(), FileValue(cloud, field).of(values[i]));
                    else
                      appendNumber(file.bytes(), values[i]);
                  });

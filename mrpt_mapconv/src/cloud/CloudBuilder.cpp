@@ -34,6 +34,23 @@ void takeOff(double origin, std::vector<double>& values)
 {
   for (double& value : values) value -= origin;
 }
+
+void multiply(double unit, std::vector<double>& values)
+{
+  if (unit == 1) return;
+  for (double& value : values) value *= unit;
+}
+
+/** Turns the coordinates of the file into metres; degrees stay degrees. */
+void intoMetres(PointCloud& cloud, const grid::SystemUnits& units)
+{
+  if (units.kind == grid::SystemKind::Geographic) return;
+  cloud.unit = units.horizontal;
+  cloud.heightUnit = units.ofHeights();
+  multiply(cloud.unit, cloud.x);
+  multiply(cloud.unit, cloud.y);
+  multiply(cloud.heightUnit, cloud.z);
+}
 }  // namespace
 
 CloudBuilder::CloudBuilder(std::string name, FieldSet fields)
@@ -81,7 +98,8 @@ void CloudBuilder::refuse(const char* field, double value) const
                            " is not valid: it must be a whole number of 0 to 255");
 }
 
-PointCloud CloudBuilder::finished(const CloudReading& reading) &&
+PointCloud CloudBuilder::finished(const CloudReading& reading,
+                                  const std::optional<grid::SystemUnits>& named) &&
 {
   if (m_cloud.empty())
     throw std::runtime_error(m_name +
@@ -89,7 +107,11 @@ PointCloud CloudBuilder::finished(const CloudReading& reading) &&
                                   ? ": holds no point"
                                   : ": holds no usable point: a coordinate of each of its " +
                                         std::to_string(m_cloud.notFinite) + " is NaN or infinite"));
-  m_cloud.origin = reading.origin.value_or(automaticOrigin(m_cloud));
+  m_cloud.namedUnits = named;
+  if (const auto& units = reading.units ? reading.units : named) intoMetres(m_cloud, *units);
+  m_cloud.origin = automaticOrigin(m_cloud);
+  if (const auto& o = reading.origin)
+    m_cloud.origin = {o->x * m_cloud.unit, o->y * m_cloud.unit, o->z * m_cloud.heightUnit};
   takeOff(m_cloud.origin.x, m_cloud.x);
   takeOff(m_cloud.origin.y, m_cloud.y);
   takeOff(m_cloud.origin.z, m_cloud.z);

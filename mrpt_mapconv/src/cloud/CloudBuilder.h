@@ -31,9 +31,11 @@ class CloudBuilder
   /** Points that were added or left out. */
   std::size_t seen() const { return m_cloud.size() + m_cloud.notFinite; }
 
-  /** The cloud, less its origin. \exception std::runtime_error naming the file, if no point is left
-   */
-  PointCloud finished(const CloudReading& reading) &&;
+  /** The cloud in metres, less its origin.
+   * \param named what the file says of the units of its coordinates
+   * \exception std::runtime_error naming the file, if no point is left */
+  PointCloud finished(const CloudReading& reading,
+                      const std::optional<grid::SystemUnits>& named = {}) &&;
 
  private:
   [[noreturn]] void refuse(const char* field, double value) const;

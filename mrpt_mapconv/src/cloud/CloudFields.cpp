@@ -68,9 +68,19 @@ FieldSet fieldsOf(const PointCloud& cloud)
   return fields;
 }
 
-double originOf(const PointCloud& cloud, Field field)
+FileValue::FileValue(const PointCloud& cloud, Field field)
+    : m_origin(field <= Field::Z ? cloud.origin[indexOf(field)] : 0),
+      m_unit(field < Field::Z    ? cloud.unit
+             : field == Field::Z ? cloud.heightUnit
+                                 : 1)
 {
-  return field <= Field::Z ? cloud.origin[indexOf(field)] : 0;
+}
+
+double FileValue::of(double value) const
+{
+  if (m_unit == 1) return value + m_origin;
+  constexpr double kDecimals = 1e8;  // a product and a quotient by the unit leave noise behind them
+  return std::round((value + m_origin) / m_unit * kDecimals) / kDecimals;
 }
 
 std::optional<Range> rangeOf(const PointCloud& cloud, Field wanted)
@@ -89,8 +99,9 @@ std::optional<Range> rangeOf(const PointCloud& cloud, Field wanted)
                   range->max = std::max(range->max, number);
                 }
               });
-  if (range) range->min += originOf(cloud, wanted), range->max += originOf(cloud, wanted);
-  return range;
+  if (!range) return range;
+  const FileValue file(cloud, wanted);
+  return Range{file.of(range->min), file.of(range->max)};
 }
 
 }  // namespace mrpt_mapconv::cloud

@@ -64,7 +64,7 @@ PointCloud readLas(BlockInput& input, const CloudReading& reading)
   }
   readLateRecords(input, header, projection);
 
-  PointCloud cloud = std::move(builder).finished(reading);
+  PointCloud cloud = std::move(builder).finished(reading, projection.units(header.wkt));
   cloud.format = "LAS 1." + std::to_string(header.minor) + ", point format " +
                  std::to_string(header.pointFormat);
   cloud.coordinateSystem = projection.text(header.wkt);

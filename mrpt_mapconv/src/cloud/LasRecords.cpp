@@ -14,10 +14,42 @@ constexpr std::size_t kUserAt = 2, kUserSize = 16, kIdAt = 18, kLengthAt = 20, k
 constexpr std::size_t kHead = 54, kLateHead = 60;
 constexpr const char* kProjection = "LASF_Projection";
 constexpr std::uint16_t kGeoKeys = 34735, kWkt = 2112;
-constexpr std::uint16_t kProjected = 3072, kGeographic = 2048, kUserDefined = 32767;
+constexpr std::uint16_t kModelType = 1024, kProjected = 3072, kGeographic = 2048,
+                        kLinearUnits = 3076, kVerticalUnits = 4099, kUserDefined = 32767;
+
+std::optional<grid::SystemKind> kindOf(std::uint16_t modelType)
+{
+  switch (modelType)
+  {
+    case 1:
+      return grid::SystemKind::Plane;
+    case 2:
+      return grid::SystemKind::Geographic;
+    case 3:
+      return grid::SystemKind::Geocentric;
+    default:
+      return std::nullopt;
+  }
+}
+
+/** A unit by its number in EPSG's list [m]; nothing for those of which nobody makes surveys. */
+std::optional<double> lengthOf(std::uint16_t epsg)
+{
+  switch (epsg)
+  {
+    case 9001:
+      return 1;
+    case 9002:
+      return grid::kFoot;
+    case 9003:
+      return grid::kSurveyFoot;
+    default:
+      return std::nullopt;
+  }
+}
 
 /** Keys of GeoTIFF: four numbers of 16 bits each, after four that say how many there are. */
-std::string epsgOf(const std::string& keys)
+void readKeys(const std::string& keys, LasProjection& projection)
 {
   constexpr std::size_t kKey = 4 * sizeof(std::uint16_t);
   std::uint16_t projected = 0, geographic = 0;
@@ -29,9 +61,14 @@ std::string epsgOf(const std::string& keys)
     if (!isHere || number(3) == kUserDefined) continue;
     if (number(0) == kProjected) projected = number(3);
     if (number(0) == kGeographic) geographic = number(3);
+    if (number(0) == kModelType) projection.kind = kindOf(number(3));
+    if (number(0) == kLinearUnits) projection.horizontal = lengthOf(number(3));
+    if (number(0) == kVerticalUnits) projection.vertical = lengthOf(number(3));
   }
-  const std::uint16_t code = projected != 0 ? projected : geographic;
-  return code == 0 ? "" : "EPSG:" + std::to_string(code);
+  // a projection without a number has a geographic system below it, which is not that of the points
+  const bool isPlane = projection.kind == grid::SystemKind::Plane;
+  const std::uint16_t code = projected != 0 || isPlane ? projected : geographic;
+  projection.epsg = code == 0 ? "" : "EPSG:" + std::to_string(code);
 }
 
 /** Up to its closing zeros, line ends and blanks. */
@@ -64,7 +101,7 @@ bool readRecord(BlockInput& input, bool isLate, std::uint64_t end, LasProjection
   if (!isProjection || length > kLongestText) return input.skip(length);
   const std::string payload = input.bytes(length);
   if (id == kWkt) projection.wkt = textOf(payload);
-  if (id == kGeoKeys) projection.epsg = epsgOf(payload);
+  if (id == kGeoKeys) readKeys(payload, projection);
   return payload.size() == length;
 }
 
@@ -79,6 +116,17 @@ std::string record(std::uint16_t id, const std::string& payload)
   return bytes + payload;
 }
 }  // namespace
+
+std::optional<grid::SystemUnits> LasProjection::units(bool preferWkt) const
+{
+  auto units = grid::unitsOf(text(preferWkt));
+  if (prefersWkt(preferWkt) && units) return units;
+  if (!units && !kind && !horizontal && !vertical) return std::nullopt;
+  if (!units) units = grid::SystemUnits{kind.value_or(grid::SystemKind::Plane), 1, {}};
+  units->horizontal = horizontal.value_or(units->horizontal);
+  if (vertical) units->vertical = vertical;
+  return units;
+}
 
 void readRecords(BlockInput& input, const LasHeader& header, LasProjection& projection)
 {
@@ -109,7 +157,7 @@ std::string projectionRecord(const std::string& coordinateSystem)
       !params::readWhole(std::string_view(coordinateSystem).substr(kEpsg.size()), code))
     return record(kWkt, coordinateSystem + '\0');
   std::string keys;
-  constexpr std::uint16_t kModelType = 1024, kIsProjected = 1;
+  constexpr std::uint16_t kIsProjected = 1;
   for (const std::uint16_t number :
        {std::uint16_t(1), std::uint16_t(1), std::uint16_t(0), std::uint16_t(2), kModelType,
         std::uint16_t(0), std::uint16_t(1), kIsProjected, kProjected, std::uint16_t(0),

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <mrpt_mapconv/grid/CoordinateSystem.h>
+
+#include <optional>
 #include <string>
 
 #include "LasHeader.h"
@@ -10,12 +13,18 @@ namespace mrpt_mapconv::cloud
 struct LasProjection
 {
   std::string wkt, epsg;  //!< empty: not given so
+  /** What the keys of GeoTIFF say, of which those of units outdo the system's. @{ */
+  std::optional<grid::SystemKind> kind;
+  std::optional<double> horizontal, vertical;  //!< [m]
+  /** @} */
 
   /** As the header wants it, else the one that is there. */
-  std::string text(bool preferWkt) const
-  {
-    return (preferWkt && !wkt.empty()) || epsg.empty() ? wkt : epsg;
-  }
+  std::string text(bool preferWkt) const { return prefersWkt(preferWkt) ? wkt : epsg; }
+  /** What it says of the units of coordinates; nothing if it says nothing. */
+  std::optional<grid::SystemUnits> units(bool preferWkt) const;
+
+ private:
+  bool prefersWkt(bool preferWkt) const { return (preferWkt && !wkt.empty()) || epsg.empty(); }
 };
 
 /** Reads the records that follow the header, up to the first point.

@@ -1,3 +1,5 @@
+#include <mrpt_mapconv/cloud/CloudFields.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -17,22 +19,22 @@ namespace
 /** How one coordinate becomes whole numbers of 32 bits. */
 struct Axis
 {
-  const std::vector<double>& values;  //!< less the origin [m]
+  const std::vector<double>& values;
+  FileValue file;
   double scale = 1e-3, offset = 0, min = 0, max = 0;
 
-  Axis(const std::vector<double>& v, double origin) : values(v), offset(origin)
+  Axis(const PointCloud& cloud, Field field, const std::vector<double>& v)
+      : values(v), file(cloud, field), offset(std::floor(file.of(0)))
   {
     constexpr double kMost = 2147483647.0;
-    double low = 0, high = 0;
-    if (!v.empty()) low = *std::min_element(v.begin(), v.end());
-    if (!v.empty()) high = *std::max_element(v.begin(), v.end());
-    while (std::max(-low, high) / scale > kMost) scale *= 10;
-    min = low + origin;
-    max = high + origin;
+    const auto range = rangeOf(cloud, field).value_or(Range{offset, offset});
+    min = range.min;
+    max = range.max;
+    while (std::max(offset - min, max - offset) / scale > kMost) scale *= 10;
   }
   std::int32_t whole(std::size_t i) const
   {
-    return static_cast<std::int32_t>(std::lround(values[i] / scale));
+    return static_cast<std::int32_t>(std::lround((file.of(values[i]) - offset) / scale));
   }
 };
 
@@ -158,8 +160,8 @@ std::string pointOf(const PointCloud& cloud, std::size_t i, const LasPointLayout
 
 void writeLas(const std::string& path, const PointCloud& cloud)
 {
-  const std::array<Axis, 3> axes = {Axis(cloud.x, cloud.origin.x), Axis(cloud.y, cloud.origin.y),
-                                    Axis(cloud.z, cloud.origin.z)};
+  const std::array<Axis, 3> axes = {Axis(cloud, Field::X, cloud.x), Axis(cloud, Field::Y, cloud.y),
+                                    Axis(cloud, Field::Z, cloud.z)};
   const int format = pointFormatFor(cloud);
   const bool hasIntensity = !cloud.intensity.empty() && intensitiesFit(cloud);
   OutputFile file(path);

@@ -25,7 +25,7 @@ void writeText(const std::string& path, const PointCloud& cloud)
                  {
                    using Value = typename std::decay_t<decltype(values)>::value_type;
                    if constexpr (std::is_same_v<Value, double>)
-                     text += params::shortestText(values[i] + originOf(cloud, field));
+                     text += params::shortestText(FileValue(cloud, field).of(values[i]));
                    else if constexpr (std::is_same_v<Value, float>)
                      text += params::shortestText(values[i]);
                    else

@@ -2,16 +2,13 @@
 #include <gdal_priv.h>
 #include <mrpt_mapconv/files/FileIo.h>
 #include <mrpt_mapconv/grid/GeoTiff.h>
-#include <mrpt_mapconv/params/Text.h>
-#include <ogr_spatialref.h>
 
-#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
-#include <optional>
 
 #include "GdalErrors.h"
+#include "GeoTiffReference.h"
 
 namespace mrpt_mapconv::grid
 {
@@ -54,32 +51,10 @@ Dataset createDataset(const std::string& path, const GridFrame& frame, std::size
                                 GDT_Float32, options.List()));
 }
 
-constexpr std::array<const char*, 3> kOriginItems{"originX", "originY", "originZ"};
-
-bool writeReference(GDALDataset& dataset, const GeoReference& reference)
-{
-  if (!reference.isLocal())
-    for (std::size_t i = 0; i < kOriginItems.size(); ++i)
-      if (dataset.SetMetadataItem(kOriginItems[i],
-                                  params::shortestText(reference.origin[i]).c_str()) != CE_None)
-        return false;
-  if (reference.coordinateSystem.empty()) return true;
-  OGRSpatialReference system;
-  return system.SetFromUserInput(reference.coordinateSystem.c_str()) == OGRERR_NONE &&
-         dataset.SetSpatialRef(&system) == CE_None;
-}
-
 bool writeHeader(GDALDataset& dataset, const GridFrame& frame, const Metadata& metadata,
                  const GeoReference& reference)
 {
-  double transform[6] = {frame.xMin() + reference.origin.x,
-                         frame.resolution,
-                         0,
-                         frame.yMax() + reference.origin.y,
-                         0,
-                         -frame.resolution};
-  if (dataset.SetGeoTransform(transform) != CE_None) return false;
-  if (!writeReference(dataset, reference)) return false;
+  if (!writePlace(dataset, frame, reference)) return false;
   for (const auto& [name, value] : metadata)
     if (dataset.SetMetadataItem(name.c_str(), value.c_str()) != CE_None) return false;
   return true;
@@ -127,62 +102,6 @@ GDALRasterBand& findBand(GDALDataset& dataset, const std::string& path, const st
                            (names.empty() ? "none" : names));
 }
 
-/** The integer key at `metres`, if there is one (to a ten-thousandth of a cell). */
-std::optional<std::int32_t> keyAt(double metres, double resolution)
-{
-  const double cells = metres / resolution;
-  const double key = std::round(cells);
-  if (!(std::abs(key) < 1e9) || std::abs(cells - key) > 1e-4) return std::nullopt;
-  return static_cast<std::int32_t>(key);
-}
-
-GeoReference referenceOf(GDALDataset& dataset, const std::string& path)
-{
-  GeoReference reference;
-  for (std::size_t i = 0; i < kOriginItems.size(); ++i)
-    if (const char* text = dataset.GetMetadataItem(kOriginItems[i]))
-      if (!params::readNumber(text, reference.origin[i]))
-        throw std::runtime_error("cannot read '" + path + "': its " + kOriginItems[i] + " is '" +
-                                 text + "', which is no number");
-  if (const auto* system = dataset.GetSpatialRef())
-  {
-    const char *authority = system->GetAuthorityName(nullptr),
-               *code = system->GetAuthorityCode(nullptr);
-    if (authority && code)
-      reference.coordinateSystem = std::string(authority) + ":" + code;
-    else
-    {
-      char* wkt = nullptr;
-      if (system->exportToWkt(&wkt) == OGRERR_NONE) reference.coordinateSystem = wkt;
-      CPLFree(wkt);
-    }
-  }
-  return reference;
-}
-
-GridFrame readFrame(GDALDataset& dataset, const std::string& path)
-{
-  double t[6];
-  if (dataset.GetGeoTransform(t) != CE_None)
-    throw std::runtime_error("cannot read '" + path + "': it has no geotransform");
-  const auto origin = referenceOf(dataset, path).origin;
-  t[0] -= origin.x;
-  t[3] -= origin.y;
-  if (!(t[1] > 0) || t[2] != 0 || t[4] != 0 || std::abs(t[5] + t[1]) > 1e-9 * t[1])
-    throw std::runtime_error("cannot read '" + path +
-                             "': its cells must be square and north up, not rotated");
-  const int height = dataset.GetRasterYSize();
-  for (const double shift : {0.0, -0.5})
-  {
-    const auto x0 = keyAt(t[0] - shift * t[1], t[1]), yEnd = keyAt(t[3] - shift * t[1], t[1]);
-    if (x0 && yEnd) return {t[1], *x0, *yEnd - height, dataset.GetRasterXSize(), height, shift};
-  }
-  throw std::runtime_error("cannot read '" + path + "': its corner (" + std::to_string(t[0]) +
-                           ", " + std::to_string(t[3]) +
-                           ") must lie on a multiple of half the cell size " +
-                           std::to_string(t[1]));
-}
-
 /** Turns a file's own no-data value into NaN. */
 void clearNoData(Layer<float>& layer, GDALRasterBand& band)
 {
@@ -191,15 +110,6 @@ void clearNoData(Layer<float>& layer, GDALRasterBand& band)
   if (has) std::replace(layer.cells().begin(), layer.cells().end(), noData, kNoData);
 }
 }  // namespace
-
-void requireCoordinateSystem(const std::string& coordinateSystem)
-{
-  OGRSpatialReference system;
-  const GdalErrors errors;
-  if (!coordinateSystem.empty() && system.SetFromUserInput(coordinateSystem.c_str()) != OGRERR_NONE)
-    throw std::runtime_error("'" + coordinateSystem +
-                             "' is no coordinate system that is known; EPSG:32633, say, would be");
-}
 
 void writeGeoTiff(const std::string& path, const std::vector<StyledLayer>& bands,
                   const Metadata& metadata, const GeoReference& reference)
@@ -222,7 +132,7 @@ void writeGeoTiff(const std::string& path, const std::vector<StyledLayer>& bands
 GeoReference readGeoReference(const std::string& path)
 {
   const GdalErrors errors;
-  return referenceOf(*openDataset(path, errors), path);
+  return readReference(*openDataset(path, errors), path);
 }
 
 Layer<float> readGeoTiffBand(const std::string& path, const std::string& bandName)

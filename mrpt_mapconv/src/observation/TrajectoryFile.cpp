@@ -40,6 +40,19 @@ std::optional<std::vector<double>> numbersOf(const std::vector<std::string>& wor
   return numbers;
 }
 
+/** Brings the lengths of a line into metres. */
+void intoMetres(const LengthUnits& units, std::vector<double>& line)
+{
+  line[1] *= units.horizontal;
+  line[2] *= units.horizontal;
+  line[3] *= units.vertical;
+  if (line.size() != kWithCovariance) return;
+  const double factors[] = {units.horizontal, units.horizontal, units.vertical, 1, 1, 1};
+  std::size_t next = kAngles;
+  for (int row = 0; row < 6; ++row)
+    for (int column = row; column < 6; ++column) line[next++] *= factors[row] * factors[column];
+}
+
 mrpt::poses::CPose3D poseOf(const std::vector<double>& line)
 {
   if (line.size() != kQuaternion) return {line[1], line[2], line[3], line[4], line[5], line[6]};
@@ -63,7 +76,10 @@ std::optional<HeightCovariance> covarianceOf(const std::vector<double>& line)
 class TrajectoryReader
 {
  public:
-  explicit TrajectoryReader(std::string file) : m_file(std::move(file)) {}
+  TrajectoryReader(std::string file, const LengthUnits& units)
+      : m_file(std::move(file)), m_units(units)
+  {
+  }
 
   void read(std::string line)
   {
@@ -72,7 +88,7 @@ class TrajectoryReader
     line = params::trimmed(line.substr(0, line.find('#')));
     if (line.empty()) return;
     const auto words = wordsOf(line);
-    const auto numbers = numbersOf(words);
+    auto numbers = numbersOf(words);
     if (!numbers && m_columns == 0 && !m_hadHeader && isHeader(words))
     {
       m_hadHeader = true;
@@ -87,6 +103,7 @@ class TrajectoryReader
                "28 (7 and the covariance), as all others");
     if (numbers->size() == kQuaternion && !isTurn(*numbers))
       fail(line, "has a quaternion whose length is not 1");
+    intoMetres(m_units, *numbers);
     if (!m_track.insert(timeStampOf(numbers->front()), poseOf(*numbers), covarianceOf(*numbers)))
       fail(line, "has a time that is not valid");
   }
@@ -123,6 +140,7 @@ class TrajectoryReader
   }
 
   std::string m_file;
+  LengthUnits m_units;
   std::size_t m_number = 0, m_columns = 0;
   bool m_hadHeader = false;
   PoseTrack m_track;
@@ -131,19 +149,19 @@ class TrajectoryReader
 
 mrpt::system::TTimeStamp timeStampOf(double seconds) { return mrpt::Clock::fromDouble(seconds); }
 
-PoseTrack readTrajectory(files::InputStream& stream)
+PoseTrack readTrajectory(files::InputStream& stream, const LengthUnits& units)
 {
   constexpr std::size_t most = std::size_t(1) << 32U;
   std::istringstream in(stream.readUpTo(most));
-  TrajectoryReader reader(stream.name());
+  TrajectoryReader reader(stream.name(), units);
   for (std::string line; std::getline(in, line);) reader.read(line);
   return reader.take();
 }
 
-PoseTrack readTrajectoryFile(const std::string& path)
+PoseTrack readTrajectoryFile(const std::string& path, const LengthUnits& units)
 {
   files::InputStream stream(path);
-  return readTrajectory(stream);
+  return readTrajectory(stream, units);
 }
 
 }  // namespace mrpt_mapconv::observation

@@ -6,19 +6,34 @@
 
 namespace mrpt_mapconv::params
 {
+namespace
+{
+std::string withoutClosingZeros(std::string decimals)
+{
+  decimals.erase(decimals.find_last_not_of('0') + 1);
+  if (decimals.back() == '.') decimals.pop_back();
+  return decimals == "-0" ? "0" : decimals;
+}
+}  // namespace
+
 std::string roundedText(double value)
 {
-  const bool plain = std::abs(value) < 1e6;
+  if (std::abs(value) < 1e6) return placeText(value);
   std::array<char, 32> text{};
   const auto end =
-      std::to_chars(text.data(), text.data() + text.size(), value,
-                    plain ? std::chars_format::fixed : std::chars_format::general, plain ? 3 : 4)
+      std::to_chars(text.data(), text.data() + text.size(), value, std::chars_format::general, 4)
           .ptr;
-  std::string rounded(text.data(), end);
-  if (!plain) return rounded;
-  rounded.erase(rounded.find_last_not_of('0') + 1);
-  if (rounded.back() == '.') rounded.pop_back();
-  return rounded == "-0" ? "0" : rounded;
+  return {text.data(), end};
+}
+
+std::string placeText(double metres)
+{
+  std::array<char, 400> text{};  // the longest doubles have some 310 digits
+  const auto end =
+      std::to_chars(text.data(), text.data() + text.size(), metres, std::chars_format::fixed, 3)
+          .ptr;
+  return std::isfinite(metres) ? withoutClosingZeros({text.data(), end})
+                               : std::string(text.data(), end);
 }
 
 std::string withoutByteOrderMark(std::string text)

@@ -185,6 +185,7 @@ LiftedPath liftPath(const std::vector<mrpt::math::TPoint2D>& path, const Layers&
   DensePath dense = densify(path, layers.frame().resolution);
   setFloorHeights(dense, layers, params);
   LiftedPath lifted;
+  lifted.shownOrigin = params.shownOrigin;
   if (params.robot == freespace::Robot::Aerial)
   {
     SphereLift sphere(layers, params.safetyRadius);

@@ -14,14 +14,15 @@ using params::require;
 
 namespace
 {
-std::string place(double x, double y)
+std::string place(const mrpt::math::TPoint2D& at, const mrpt::math::TPoint3D& origin)
 {
   std::ostringstream text;
-  text << std::fixed << std::setprecision(2) << '(' << x << ", " << y << ')';
+  text << std::fixed << std::setprecision(2) << '(' << at.x + origin.x << ", " << at.y + origin.y
+       << ')';
   return text.str();
 }
 
-std::string reason(const LiftedPoint& point)
+std::string reason(const LiftedPoint& point, const mrpt::math::TPoint3D& origin)
 {
   switch (point.problem)
   {
@@ -34,11 +35,9 @@ std::string reason(const LiftedPoint& point)
     case Infeasibility::UnseenGround:
       return freespace::evidence::kOpenInWords;
     case Infeasibility::Wall:
-      return "the safety sphere reaches the occupied cell at " +
-             place(point.obstacle.x, point.obstacle.y);
+      return "the safety sphere reaches the occupied cell at " + place(point.obstacle, origin);
     case Infeasibility::Unknown:
-      return "the safety sphere reaches the unknown cell at " +
-             place(point.obstacle.x, point.obstacle.y);
+      return "the safety sphere reaches the unknown cell at " + place(point.obstacle, origin);
     case Infeasibility::NoHeight:
       return "the safety sphere fits in at no height";
   }
@@ -89,8 +88,9 @@ std::string LiftedPath::describeProblem(std::size_t index) const
 {
   const LiftedPoint& point = points.at(index);
   if (point.problem == Infeasibility::None) return {};
-  return "point " + std::to_string(index) + " at " + place(point.position.x, point.position.y) +
-         ": " + reason(point);
+  return "point " + std::to_string(index) + " at " +
+         place({point.position.x, point.position.y}, shownOrigin) + ": " +
+         reason(point, shownOrigin);
 }
 
 }  // namespace mrpt_mapconv::path

@@ -99,22 +99,24 @@ void addFirstOfPieces(const LiftedPath& path, double resolution, const ProblemIn
 std::string PieceProblem::inWords() const
 {
   char text[240];
+  const double x = place.x + shownOrigin.x, y = place.y + shownOrigin.y;
+  const double low = from + shownOrigin.z, high = to + shownOrigin.z;
   if (kind == Kind::UnseenGround)
     std::snprintf(text, sizeof(text), "at (%.2f, %.2f): on the straight way between two points, %s",
-                  place.x, place.y, freespace::evidence::kOpenInWords);
+                  x, y, freespace::evidence::kOpenInWords);
   else if (kind == Kind::Occupied)
     std::snprintf(text, sizeof(text),
                   "at (%.2f, %.2f): the straight way between two points meets something occupied "
                   "between the heights of %.2f m and %.2f m",
-                  place.x, place.y, from, to);
+                  x, y, low, high);
   else
     std::snprintf(text, sizeof(text),
                   "at (%.2f, %.2f): the %s from %.2f m to %.2f m within %.2f m, more than a ground "
                   "robot can, max(maxStep, a voxel, maxSlope x distance) = %.2f m",
-                  place.x, place.y,
+                  x, y,
                   kind == Kind::FloorStep ? (to > from ? "floor rises" : "floor drops")
                                           : (to > from ? "path climbs" : "path descends"),
-                  from, to, distance, limit);
+                  low, high, distance, limit);
   return text;
 }
 
@@ -138,6 +140,7 @@ std::vector<PieceProblem> PieceCheck::problems(const LiftedPath& path) const
     addUnseenGround(path, found);
   }
   addCrossings(path, found);
+  for (auto& problem : found) problem.shownOrigin = m_params.shownOrigin;
   return found;
 }
 
@@ -158,7 +161,8 @@ void PieceCheck::addSteps(const LiftedPath& path, Kind kind, std::vector<PiecePr
                                     before,
                                     behind,
                                     m_limit.counted(distance),
-                                    m_limit.at(distance)});
+                                    m_limit.at(distance),
+                                    {}});
                });
 }
 
@@ -189,7 +193,7 @@ void PieceCheck::addCrossings(const LiftedPath& path, std::vector<PieceProblem>&
     const auto hit = voxels ? voxels->lowestOccupied(column.kx, column.ky, swept)
                             : outsideFreeRange(m_layers, m_params.robot, column, swept);
     if (!hit) return std::nullopt;
-    return PieceProblem{Kind::Occupied, 0, {}, hit->low, hit->high, 0, 0};
+    return PieceProblem{Kind::Occupied, 0, {}, hit->low, hit->high, 0, 0, {}};
   };
   addFirstOfPieces(path, m_layers.frame().resolution, problemIn, found);
 }

@@ -26,7 +26,7 @@ using params::roundedText;
 
 std::string inMetres(const TPoint2D& p)
 {
-  return "(" + roundedText(p.x) + ", " + roundedText(p.y) + ") m";
+  return "(" + params::placeText(p.x) + ", " + params::placeText(p.y) + ") m";
 }
 
 void checkInput(const Layer<float>& occupancy, const TPoint2D& start, const TPoint2D& goal,
@@ -66,7 +66,7 @@ TPoint2D centreOf(const GridFrame& frame, Cell cell)
 const char* kindOf(float occupancy) { return grid::isOccupied(occupancy) ? "occupied" : "unknown"; }
 
 /** In words, what comes nearest to a free cell, and how near. */
-std::string nearestObstacle(const Layer<float>& occupancy, Cell cell)
+std::string nearestObstacle(const Layer<float>& occupancy, Cell cell, const TPoint2D& origin)
 {
   const GridFrame& frame = occupancy.frame();
   const std::int32_t toEdge = std::min(std::min(cell.x, frame.width - 1 - cell.x),
@@ -80,23 +80,25 @@ std::string nearestObstacle(const Layer<float>& occupancy, Cell cell)
       if (gap >= least || grid::isFree(occupancy.at(ix, iy))) continue;
       least = gap;
       what = std::string("the ") + kindOf(occupancy.at(ix, iy)) + " cell at " +
-             inMetres(centreOf(frame, {ix, iy}));
+             inMetres(centreOf(frame, {ix, iy}) + origin);
     }
   return roundedText(std::sqrt(least) * frame.resolution) + " m of " + what;
 }
 
-/** Why the robot cannot stand at a place; empty if it can. */
+/** Why the robot cannot stand at a place; empty if it can. \param origin of places in words */
 std::string problemAt(const char* name, const TPoint2D& p, const Layer<float>& occupancy,
-                      const CellMask& passable, double robotRadius)
+                      const CellMask& passable, double robotRadius, const TPoint2D& origin)
 {
+  using params::placeText;
   const GridFrame& frame = occupancy.frame();
   std::ostringstream text;
-  text << name << " " << inMetres(p);
+  text << name << " " << inMetres(p + origin);
   if (!contains(frame, p))
   {
-    text << " is outside the map, which covers x from " << roundedText(frame.xMin()) << " to "
-         << roundedText(frame.xMax()) << " m and y from " << roundedText(frame.yMin()) << " to "
-         << roundedText(frame.yMax()) << " m";
+    text << " is outside the map, which covers x from " << placeText(frame.xMin() + origin.x)
+         << " to " << placeText(frame.xMax() + origin.x) << " m and y from "
+         << placeText(frame.yMin() + origin.y) << " to " << placeText(frame.yMax() + origin.y)
+         << " m";
     return text.str();
   }
   const Cell cell = waypointAt(frame, p).cell;
@@ -108,7 +110,8 @@ std::string problemAt(const char* name, const TPoint2D& p, const Layer<float>& o
   }
   if (holds(passable, cell)) return {};
   text << " is too near to an obstacle: its free cell comes within "
-       << nearestObstacle(occupancy, cell) << ", the robot's radius is " << robotRadius << " m";
+       << nearestObstacle(occupancy, cell, origin) << ", the robot's radius is " << robotRadius
+       << " m";
   return text.str();
 }
 
@@ -134,8 +137,8 @@ std::vector<TPoint2D> pointsOf(const std::vector<Waypoint>& path)
 }  // namespace
 
 GridSearch::GridSearch(const Layer<float>& occupancy, const TPoint2D& start, const TPoint2D& goal,
-                       double robotRadius)
-    : m_start(start), m_goal(goal), m_robotRadius(robotRadius)
+                       double robotRadius, const TPoint2D& shownOrigin)
+    : m_start(start), m_goal(goal), m_shownOrigin(shownOrigin), m_robotRadius(robotRadius)
 {
   checkInput(occupancy, start, goal, robotRadius);
   const GridFrame& frame = occupancy.frame();
@@ -144,7 +147,7 @@ GridSearch::GridSearch(const Layer<float>& occupancy, const TPoint2D& start, con
   m_blocked = BlockedSides(frame);
   for (const auto& [name, place] : {std::pair{"start", start}, {"goal", goal}})
   {
-    m_problem = problemAt(name, place, occupancy, m_passable, robotRadius);
+    m_problem = problemAt(name, place, occupancy, m_passable, robotRadius, shownOrigin);
     if (m_problem.empty()) continue;
     if (contains(frame, place)) m_badEnd = waypointAt(frame, place).cell;
     return;
@@ -179,8 +182,9 @@ GridPath GridSearch::plan() const
     if (const auto path = bestPath(from, to); !path.empty()) return {pointsOf(path), {}};
 
   std::ostringstream problem;
-  problem << "start " << inMetres(m_start) << " and goal " << inMetres(m_goal)
-          << " are not connected for a robot with a radius of " << m_robotRadius << " m";
+  problem << "start " << inMetres(m_start + m_shownOrigin) << " and goal "
+          << inMetres(m_goal + m_shownOrigin) << " are not connected for a robot with a radius of "
+          << m_robotRadius << " m";
   return {{}, problem.str()};
 }
 

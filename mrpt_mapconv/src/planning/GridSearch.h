@@ -16,9 +16,11 @@ namespace mrpt_mapconv::planning
 class GridSearch
 {
  public:
-  /** \exception std::invalid_argument as planOnGrid() */
+  /** \param shownOrigin is added to places in words [m]
+   * \exception std::invalid_argument as planOnGrid() */
   GridSearch(const grid::Layer<float>& occupancy, const mrpt::math::TPoint2D& start,
-             const mrpt::math::TPoint2D& goal, double robotRadius);
+             const mrpt::math::TPoint2D& goal, double robotRadius,
+             const mrpt::math::TPoint2D& shownOrigin = {});
 
   /** As planOnGrid(), with what has been said about cells since. */
   GridPath plan() const;
@@ -49,7 +51,7 @@ class GridSearch
   std::vector<Cell> keptToCentres(const std::vector<Cell>& way) const;
   std::vector<Cell> mrptWay(CellMask reached, Cell from, Cell to) const;
 
-  mrpt::math::TPoint2D m_start, m_goal;
+  mrpt::math::TPoint2D m_start, m_goal, m_shownOrigin;
   double m_robotRadius;
   CellMask m_passable;
   CellMask m_open;      //!< those among them that need not be crossed through their centres

@@ -20,6 +20,16 @@ using path::LiftedPath;
 RobotPath without(const std::string& problem) { return {{}, problem}; }
 
 /** What is wrong with a point of a path, without its number. */
+GridSearch searchFor(const freespace::Layers& layers, const RobotPathQuery& query)
+{
+  const auto& origin = query.lift.shownOrigin;
+  return {freespace::occupancyFor(layers, query.lift.robot),
+          query.start,
+          query.goal,
+          query.robotRadius,
+          {origin.x, origin.y}};
+}
+
 std::string placeAndReason(const LiftedPath& path, std::size_t index)
 {
   const std::string text = path.describeProblem(index);
@@ -34,8 +44,7 @@ RobotPlanner::RobotPlanner(const freespace::Layers& layers,
       m_conversion(conversion),
       m_query(query),
       m_voxels(voxels),
-      m_search(freespace::occupancyFor(layers, query.lift.robot), query.start, query.goal,
-               query.robotRadius),
+      m_search(searchFor(layers, query)),
       m_faults(layers, conversion, query.lift, voxels),
       m_looked(layers.frame(), 0)
 {
@@ -124,9 +133,7 @@ std::string RobotPlanner::whyNoWay(const std::string& problem) const
  * there is no such way. */
 std::string RobotPlanner::stepInTheWay() const
 {
-  const GridPath way = GridSearch(freespace::occupancyFor(m_layers, m_query.lift.robot),
-                                  m_query.start, m_query.goal, m_query.robotRadius)
-                           .plan();
+  const GridPath way = searchFor(m_layers, m_query).plan();
   if (!way.found()) return {};
   const LiftedPath path = lift(way.points);
   const auto faults = m_faults.of(path);

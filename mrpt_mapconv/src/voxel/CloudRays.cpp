@@ -1,4 +1,3 @@
-#include <mrpt_mapconv/observation/TrajectoryFile.h>
 #include <mrpt_mapconv/voxel/CloudRays.h>
 
 #include <stdexcept>
@@ -7,8 +6,9 @@
 namespace mrpt_mapconv::voxel
 {
 InsertedCloud insertCloud(VoxelGrid& grid, const cloud::PointCloud& cloud,
-                          const observation::PoseTrack& sensor, const CloudTimes& times,
-                          const RayParams& params, int threads)
+                          const observation::PoseTrack& sensor,
+                          const observation::CloudTimes& times, const RayParams& params,
+                          int threads)
 {
   if (cloud.time.size() != cloud.size())
     throw std::invalid_argument(
@@ -28,8 +28,7 @@ InsertedCloud insertCloud(VoxelGrid& grid, const cloud::PointCloud& cloud,
       ++inserted.withheld;
       continue;
     }
-    const auto pose = sensor.at(observation::timeStampOf(times.unit * cloud.time[i] + times.offset),
-                                times.maxGap);
+    const auto pose = sensor.at(times.stampOf(cloud.time[i]), times.maxGap);
     if (!pose)
     {
       ++inserted.uncovered;

@@ -5,6 +5,8 @@
 #include <cstring>
 #include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace mrpt_mapconv::testing
 {
@@ -99,14 +101,21 @@ struct LasBytes
   }
 };
 
-/** GeoTIFF's keys, one of which is `key` = `value`. */
-inline std::string geoKeys(std::uint16_t key, std::uint16_t value)
+/** GeoTIFF's keys, with their values. */
+inline std::string geoKeys(const std::vector<std::pair<std::uint16_t, std::uint16_t>>& keys)
 {
   std::string bytes;
-  using Keys = std::array<std::uint16_t, 12>;
-  for (const std::uint16_t number : Keys{1, 1, 0, 2, 1024, 0, 1, 1, key, 0, 1, value})
-    putAt(bytes, bytes.size(), number);
+  const auto add = [&bytes](std::uint16_t number) { putAt(bytes, bytes.size(), number); };
+  for (const auto number : {std::size_t(1), std::size_t(1), std::size_t(0), keys.size()})
+    add(static_cast<std::uint16_t>(number));
+  for (const auto& [key, value] : keys)
+    for (const std::uint16_t number : {key, std::uint16_t(0), std::uint16_t(1), value}) add(number);
   return bytes;
+}
+/** Those of a projection, one of which is `key` = `value`. */
+inline std::string geoKeys(std::uint16_t key, std::uint16_t value)
+{
+  return geoKeys({{1024, 1}, {key, value}});
 }
 
 }  // namespace mrpt_mapconv::testing

@@ -145,8 +145,11 @@ TEST(LasReader, KeysWithoutACodeNameNoSystem)
   las.record("LASF_Projection", 34735, geoKeys(3072, 32767));  // defined by its user
   EXPECT_EQ("", readLas(las).coordinateSystem);
   LasBytes degrees = onePoint();
-  degrees.record("LASF_Projection", 34735, geoKeys(2048, 4326));
+  degrees.record("LASF_Projection", 34735, geoKeys({{1024, 2}, {2048, 4326}}));
   EXPECT_EQ("EPSG:4326", readLas(degrees).coordinateSystem);
+  LasBytes own = onePoint();  // a projection of its user's, on top of that system
+  own.record("LASF_Projection", 34735, geoKeys({{2048, 4269}, {1024, 1}, {3072, 32767}}));
+  EXPECT_EQ("", readLas(own).coordinateSystem);
   LasBytes cut = onePoint();
   cut.record("LASF_Projection", 34735, geoKeys(3072, 32632).substr(0, 23));
   EXPECT_EQ("", readLas(cut).coordinateSystem);

@@ -125,12 +125,57 @@ TEST(GeoTiff, aLocalFrameKeepsItsOrigin)
   GDALClose(file);
 }
 
-TEST(GeoTiff, unknownCoordinateSystemsAreRefused)
+// EPSG:2992 is Oregon in international feet, 2227 California in feet of the surveys.
+TEST(GeoTiff, liesInTheUnitsOfItsCoordinateSystem)
 {
-  EXPECT_NO_THROW(requireCoordinateSystem(""));
-  EXPECT_NO_THROW(requireCoordinateSystem("EPSG:4326"));
-  EXPECT_THROW(requireCoordinateSystem("EPSG:1"), std::runtime_error);
-  EXPECT_THROW(requireCoordinateSystem("nowhere"), std::runtime_error);
+  const TempDir dir;
+  const GridFrame frame{0.07, -31, 17, 5, 3};
+  const Layer<float> floor = numbered(frame);
+  const GeoReference reference{{193851, 259000, 120}, "EPSG:2992", 0.3048};
+  writeGeoTiff(dir.path("x.tif"), {{"floor", &floor}}, {}, reference);
+  EXPECT_TRUE(readGeoReference(dir.path("x.tif")) == reference);
+  const auto read = readGeoTiffBand(dir.path("x.tif"), "floor");
+  EXPECT_EQ(read.frame(), frame) << "also the size of its cells, which a quotient rounds";
+  EXPECT_EQ(read.at(1, 1), floor.at(1, 1));
+
+  GDALAllRegister();
+  GDALDatasetH file = GDALOpen(dir.path("x.tif").c_str(), GA_ReadOnly);
+  ASSERT_NE(file, nullptr);
+  double t[6];
+  ASSERT_EQ(GDALGetGeoTransform(file, t), CE_None);
+  EXPECT_NEAR(t[0], (frame.xMin() + 193851) / 0.3048, 1e-6);
+  EXPECT_NEAR(t[3], (frame.yMax() + 259000) / 0.3048, 1e-6);
+  EXPECT_NEAR(t[1], 0.07 / 0.3048, 1e-12);
+  EXPECT_NEAR(t[5], -0.07 / 0.3048, 1e-12);
+  EXPECT_EQ(GDALGetRasterOffset(GDALGetRasterBand(file, 1), nullptr), 120) << "heights: metres";
+  GDALClose(file);
+}
+
+// EPSG:8712 is in feet with heights in feet: heights in the bands are not.
+TEST(GeoTiff, leavesOutHeightsOfOtherUnits)
+{
+  const TempDir dir;
+  const Layer<float> floor = numbered({1, 0, 0, 2, 2});
+  const auto systemOf = [&](const std::string& system)
+  {
+    writeGeoTiff(dir.path("x.tif"), {{"floor", &floor}}, {}, {{}, system, 1});
+    return readGeoReference(dir.path("x.tif")).coordinateSystem;
+  };
+  EXPECT_EQ(systemOf("EPSG:8712"), "EPSG:3433") << "what lies in the plane";
+  EXPECT_EQ(systemOf("EPSG:5698").substr(0, 8), "COMPD_CS") << "heights in metres stay";
+}
+
+TEST(GeoTiff, itemsThatAreNoLengthsAreNamed)
+{
+  const TempDir dir;
+  const Layer<float> floor = numbered({1, 0, 0, 2, 2});
+  for (const auto& [item, value] : Metadata{{"metresPerUnit", "-1"}, {"cellSize", "0"}})
+  {
+    writeGeoTiff(dir.path("x.tif"), {{"floor", &floor}}, {{item, value}});
+    const auto message = messageOf([&] { readGeoTiffBand(dir.path("x.tif"), "floor"); });
+    EXPECT_NE(message.find(item + " is " + value + ", which must be > 0"), std::string::npos)
+        << message;
+  }
 }
 
 TEST(GeoTiff, readsBackTheSameLayer)

@@ -81,6 +81,26 @@ TEST(TrajectoryFile, TwentyEightColumnsHaveTheCovariance)
   EXPECT_EQ((*covariance)(1, 2), 45);
 }
 
+TEST(TrajectoryFile, LengthsOfOtherUnitsBecomeMetres)
+{
+  const mrpt_mapconv::testing::TempDir dir;
+  std::string line = "1 10 20 30 0.1 0.2 0.3";
+  for (int row = 0; row < 6; ++row)
+    for (int column = row; column < 6; ++column) line += row == column ? " 4" : " 1";
+  std::ofstream(dir.path("way.txt")) << line << "\n";
+  const auto track = observation::readTrajectoryFile(dir.path("way.txt"), {0.5, 0.25});
+  const auto pose = at(track, 1);
+  EXPECT_EQ(pose.x(), 5);
+  EXPECT_EQ(pose.y(), 10);
+  EXPECT_EQ(pose.z(), 7.5);
+  EXPECT_NEAR(pose.yaw(), 0.1, 1e-12);
+  const auto covariance = track.covarianceAt(timeStampOf(1));
+  ASSERT_TRUE(covariance);
+  EXPECT_EQ((*covariance)(0, 0), 4 * 0.25 * 0.25) << "of z";
+  EXPECT_EQ((*covariance)(0, 1), 0.25) << "of z and an angle";
+  EXPECT_EQ((*covariance)(1, 1), 4);
+}
+
 TEST(TrajectoryFile, LinesMayComeInAnyOrder)
 {
   const auto track = read("1 1 0 0 0 0 0\n0 0 0 0 0 0 0\n0.5 8 0 0 0 0 0\n");

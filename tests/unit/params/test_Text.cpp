@@ -25,6 +25,15 @@ TEST(Text, RoundedNumbersHaveThreeDecimalsAtMost)
   EXPECT_EQ(roundedText(123456.7891), "123456.789");
 }
 
+TEST(Text, PlacesHaveMillimetresAtAnySize)
+{
+  EXPECT_EQ(placeText(5411929.05), "5411929.05");
+  EXPECT_EQ(placeText(1.6e9), "1600000000");
+  EXPECT_EQ(placeText(-0.0001), "0");
+  EXPECT_EQ(placeText(0.12345), "0.123");
+  EXPECT_EQ(placeText(std::numeric_limits<double>::infinity()), "inf");
+}
+
 TEST(Text, RoundedNumbersThatAreLargeOrNone)
 {
   EXPECT_EQ(roundedText(1.27279e8), "1.273e+08");

@@ -53,6 +53,16 @@ TEST(LiftPath, PointsAreAddedUntilNoSpacingExceedsACell)
   }
 }
 
+TEST(LiftPath, PlacesInWordsHaveTheOriginThatIsShown)
+{
+  LiftParams params = sphere(1);
+  params.shownOrigin = {448258, 5411929, 200};
+  const LiftedPath lifted = lift({{-5, 1}}, flatLayers(), params);
+  EXPECT_EQ(lifted.points[0].position.x, -5);
+  EXPECT_EQ(lifted.describeProblem(0),
+            "point 0 at (448253.00, 5411930.00): it lies outside the map");
+}
+
 TEST(LiftPath, DecimalLengthsGetNoExtraPoint)
 {
   // 0.7 − 0.4 is a little less, 0.4 − 0.1 a little more than three cells of 0.1 m

@@ -62,6 +62,24 @@ TEST(PieceCheck, AFloorsStepComesBeforeThatOfTheHeights)
   EXPECT_EQ(found[1].index, 1u);
 }
 
+TEST(PieceCheck, PlacesAndHeightsInWordsHaveTheOriginThatIsShown)
+{
+  PieceProblem step{Kind::FloorStep, 2, {1.125, 1.125}, 0, 1, 0.25, 0.5, {448258, 5411929, 200}};
+  EXPECT_EQ(step.inWords().rfind("at (448259.12, 5411930.12): the floor rises from 200.00 m to "
+                                 "201.00 m within 0.25 m, more than a ground robot can",
+                                 0),
+            0u)
+      << step.inWords();
+  freespace::Layers layers = test::flatLayers();
+  auto ground = test::ground(0, 0);
+  ground.shownOrigin = {1, 2, 3};
+  for (int iy = 0; iy < layers.frame().height; ++iy)
+    for (int ix = 4; ix < layers.frame().width; ++ix) layers.floor.at(ix, iy) = 1;
+  const auto found = problems(layers, ground, {{0.875, 1.125, 0}, {1.125, 1.125, 0}});
+  ASSERT_FALSE(found.empty());
+  EXPECT_EQ(found[0].shownOrigin, mrpt::math::TPoint3D(1, 2, 3));
+}
+
 TEST(PieceCheck, AnAerialRobotMayClimb)
 {
   EXPECT_TRUE(

@@ -217,7 +217,7 @@ TEST(GridPlanner, endsOutsideTheMap)
       " is outside the map, which covers x from 0 to 0.6 m and y from 0 to 0.4 m";
   expectProblem(kOpen, {-0.01, 0.05}, {0.15, 0.15}, 0, "start (-0.01, 0.05) m" + covers);
   expectProblem(kOpen, {0.15, 0.15}, {0.55, 0.41}, 0, "goal (0.55, 0.41) m" + covers);
-  expectProblem(kOpen, {0.15, 0.15}, {1e9, 0.1}, 0, "goal (1e+09, 0.1) m" + covers);
+  expectProblem(kOpen, {0.15, 0.15}, {1e9, 0.1}, 0, "goal (1000000000, 0.1) m" + covers);
   expectProblem(kOpen, {0.15, 0.15}, {0.15, 4 * 0.1}, 0, "goal (0.15, 0.4) m" + covers);
 }
 

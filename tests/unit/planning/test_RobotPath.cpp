@@ -155,6 +155,23 @@ TEST(RobotPath, saysIfTheRobotDoesNotFitAtAnEnd)
             "height");
 }
 
+TEST(RobotPath, placesInWordsHaveTheOriginThatIsShown)
+{
+  auto query = acrossRoom(0.55);
+  query.lift.shownOrigin = {448258, 5411929, 200};
+  query.start = {-1, 0.5};
+  EXPECT_EQ(
+      plan(roomWithBlock(18), query)
+          .problem.rfind("start (448257, 5411929.5) m is outside the map, which covers x from "
+                         "448258 to 448",
+                         0),
+      0u)
+      << plan(roomWithBlock(18), query).problem;
+  query.start = {2.65, 0.55};
+  EXPECT_EQ(plan(roomWithBlock(18), query).problem,
+            "start at (448260.65, 5411929.55): the safety sphere fits in at no height");
+}
+
 TEST(RobotPath, leavesToTheGridPlannerWhatIsKnownIn2D)
 {
   auto query = acrossRoom(0.55);

@@ -44,7 +44,7 @@ TEST(CloudRays, APointIsSeenFromWhereTheSensorWas)
 TEST(CloudRays, TimesHaveAUnitAndAnOffset)
 {
   VoxelGrid grid(1.0);
-  voxel::CloudTimes times;
+  observation::CloudTimes times;
   times.unit = 1e-6;
   times.offset = -4;
   EXPECT_EQ(voxel::insertCloud(grid, cloudAt(5e6), track(), times, {}).points, 1u);

@@ -51,8 +51,16 @@ std::optional<Field> fieldNamed(std::string_view name);
 /** Fields of which the cloud has values; x, y and z always. */
 FieldSet fieldsOf(const PointCloud& cloud);
 
-/** What was taken off a field's values: the origin for coordinates, else 0. */
-double originOf(const PointCloud& cloud, Field field);
+/** A value as files have it: of coordinates with the origin, in the file's units. */
+class FileValue
+{
+ public:
+  FileValue(const PointCloud& cloud, Field field);
+  double of(double value) const;
+
+ private:
+  double m_origin, m_unit;
+};
 
 /** Smallest and largest of finite values, in the file's coordinates. */
 struct Range

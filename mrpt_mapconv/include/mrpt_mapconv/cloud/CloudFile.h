@@ -12,12 +12,15 @@ namespace mrpt_mapconv::cloud
 /** How a file of points is read. */
 struct CloudReading
 {
-  /** What is taken off the coordinates [m]; none: x and y of the first point, rounded down to whole
-   * metres, if any point is farther than 10 km from the origin, else nothing. */
+  /** What is taken off the coordinates, in the file's units; none: x and y of the first point,
+   * rounded down to whole metres, if any point is farther than 10 km from the origin, else nothing.
+   */
   std::optional<mrpt::math::TPoint3D> origin = {};
   /** Names of the columns of a text, separated by commas ("x,y,z,_,time"; names that no field has
    * are passed over). Empty: as its header line says, else the first three are x, y and z. */
   std::string columns = {};
+  /** Units of the coordinates; none: as the file says, else metres. */
+  std::optional<grid::SystemUnits> units = {};
 };
 
 /** Whether it is a file of points that readCloud() reads, see files::cloudFormatOf(). */
@@ -33,8 +36,8 @@ PointCloud readCloudFile(const std::string& path, const CloudReading& reading = 
 /** \exception std::runtime_error unless the file's name ends in one that writeCloudFile() knows */
 void requireCloudName(const std::string& path);
 
-/** Writes a cloud in the format that the file's name ends with, with its attributes as far as the
- * format has them; the file appears whole or not at all.
+/** Writes a cloud in the format that the file's name ends with, in the units that it was read in,
+ * with its attributes as far as the format has them; the file appears whole or not at all.
  * \exception std::runtime_error naming the file and the reason if it cannot be written */
 void writeCloudFile(const std::string& path, const PointCloud& cloud);
 

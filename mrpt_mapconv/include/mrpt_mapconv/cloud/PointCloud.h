@@ -1,16 +1,18 @@
 #pragma once
 
 #include <mrpt/math/TPoint3D.h>
+#include <mrpt_mapconv/grid/CoordinateSystem.h>
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace mrpt_mapconv::cloud
 {
-/** Points as a file has them, with what it says of each. Attributes that the file lacks are empty;
- * the others have one value for each point. */
+/** Points as a file has them, but in metres, with what it says of each. Attributes that the file
+ * lacks are empty; the others have one value for each point. */
 struct PointCloud
 {
   /** Was taken off all coordinates [m]; whole metres. Coordinates of national grids (UTM) have
@@ -28,7 +30,13 @@ struct PointCloud
   std::vector<std::uint8_t> withheld;
 
   std::string coordinateSystem;  //!< as WKT or "EPSG:N"; empty if the file names none
-  std::string format;            //!< of the file, as people call it ("LAS 1.2, point format 3")
+  /** What the file says of the units of its coordinates. */
+  std::optional<grid::SystemUnits> namedUnits;
+  /** What they were multiplied with when they were read [m]: 1 for degrees. @{ */
+  double unit = 1;        //!< x and y
+  double heightUnit = 1;  //!< z
+  /** @} */
+  std::string format;  //!< of the file, as people call it ("LAS 1.2, point format 3")
   std::vector<std::string> otherFields;  //!< names of what else the file says of each point
   std::size_t notFinite = 0;  //!< points that were left out, since a coordinate is NaN or infinite
 

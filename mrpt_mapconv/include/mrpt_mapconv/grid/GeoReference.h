@@ -12,15 +12,13 @@ struct GeoReference
 {
   mrpt::math::TPoint3D origin{0, 0, 0};  //!< of the local frame, in the input's coordinates [m]
   std::string coordinateSystem = {};     //!< of these: "EPSG:N" or WKT; empty: not known
+  double unit = 1;                       //!< of that system's x and y, as GeoTIFFs have them [m]
 
   bool isLocal() const { return origin == mrpt::math::TPoint3D(0, 0, 0); }
   bool operator==(const GeoReference& o) const
   {
-    return origin == o.origin && coordinateSystem == o.coordinateSystem;
+    return origin == o.origin && coordinateSystem == o.coordinateSystem && unit == o.unit;
   }
 };
-
-/** \exception std::runtime_error unless GDAL knows the coordinate system, or it is empty */
-void requireCoordinateSystem(const std::string& coordinateSystem);
 
 }  // namespace mrpt_mapconv::grid

@@ -27,9 +27,11 @@ Metadata metadataOf(const Params& params)
  *
  * North is up (the first raster row is the highest y), the geotransform is exactly
  * {xMin, resolution, 0, yMax, 0, −resolution} in metres, NaN means no data. Where the map's frame
- * is a local one, its origin is added to xMin and yMax and kept as metadata (`originX`, …), and is
- * the offset of bands of heights in z; the coordinate system is written, if it is known. An error
- * can leave an unfinished file behind; write into files::OutputDir::path().
+ * is a local one, its origin is added to xMin and yMax and kept as metadata (`originX`, … [m]), and
+ * is the offset of bands of heights in z; the coordinate system is written, if it is known. Of a
+ * system in feet the geotransform is in feet, too, and bands stay in metres (`metresPerUnit`,
+ * `cellSize` [m]). An error can leave an unfinished file behind; write into
+ * files::OutputDir::path().
  *
  * \param bands at least one; all on the same frame, which must not be empty
  * \param metadata kept in the file, for readGeoTiffMetadata() and `gdalinfo`

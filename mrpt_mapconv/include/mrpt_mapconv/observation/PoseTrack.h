@@ -29,6 +29,10 @@ class PoseTrack
 
   bool empty() const { return m_poses.empty(); }
   std::size_t size() const { return m_poses.size(); }
+  /** Times of the first and last pose, of a track that is not empty. @{ */
+  mrpt::system::TTimeStamp begin() const { return m_poses.begin()->first; }
+  mrpt::system::TTimeStamp end() const { return m_poses.rbegin()->first; }
+  /** @} */
 
   /** What the track knows of a time. */
   enum class Coverage

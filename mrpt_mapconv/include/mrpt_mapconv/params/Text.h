@@ -38,6 +38,8 @@ inline std::string decimalText(double value)
 /** A measured or computed number for messages: three decimals at most, none that say nothing; from
  * a million on four digits. */
 std::string roundedText(double value);
+/** A coordinate for messages, which may be of a national grid: millimetres at any size. */
+std::string placeText(double metres);
 
 /** Reads a text that is a number from its first to its last character, whatever the locale.
  * \return false, and the number as it was, for any other text */

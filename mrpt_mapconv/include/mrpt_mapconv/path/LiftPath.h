@@ -24,6 +24,8 @@ struct LiftParams
   double heightOffset = 0.5;  //!< R_off: height above that floor or ground [m]
   double safetyRadius = 0.3;  //!< R_r: of the aerial robot's sphere, (0, minClearance/2] [m]
   bool unknownIsPassable = false;  //!< cells of which nothing is known do not stop the sphere
+  /** Of the layers' frame; messages tell places with it (grid::GeoReference::origin) [m]. */
+  mrpt::math::TPoint3D shownOrigin = {0, 0, 0};
 
   /** \param minClearance R_maxZ that the layers were made with [m]
    * \exception std::invalid_argument naming the parameter, its value and what would be right */
@@ -70,13 +72,15 @@ struct LiftedPath
   /** Of a ground robot's path: how much of length2D() lies in cells whose ground is inferred, not
    * seen (evidence::kInferred); the parts of its pieces in these cells are added up [m]. */
   double inferredLength = 0;
+  mrpt::math::TPoint3D shownOrigin = {0, 0, 0};  //!< LiftParams::shownOrigin
 
   /** Index of the first point that cannot be reached; nothing if there is none. */
   std::optional<std::size_t> firstProblem() const;
   bool feasible() const { return !firstProblem(); }
   double length() const;    //!< over all points [m]; NaN if one cannot be reached
   double length2D() const;  //!< the same without the heights [m]
-  /** Why a point cannot be reached, in words with its index and place; empty if it can be. */
+  /** Why a point cannot be reached, in words with its index and place, shownOrigin added; empty if
+   * it can be. */
   std::string describeProblem(std::size_t index) const;
 };
 

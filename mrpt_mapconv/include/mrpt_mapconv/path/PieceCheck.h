@@ -28,8 +28,9 @@ struct PieceProblem
                             //!< the way [m]; 0 for UnseenGround
   double distance = 0;      //!< between the two points, horizontally, as StepLimit counts it [m]
   double limit = 0;         //!< of the step [m]
+  mrpt::math::TPoint3D shownOrigin = {0, 0, 0};  //!< LiftParams::shownOrigin
 
-  std::string inWords() const;  //!< with place and heights
+  std::string inWords() const;  //!< with place and heights, shownOrigin added
 };
 
 /** Checks the straight pieces between the points of a lifted path; liftPath() looks at the points.

@@ -1,22 +1,13 @@
 #pragma once
 
 #include <mrpt_mapconv/cloud/PointCloud.h>
-#include <mrpt_mapconv/observation/PoseTrack.h>
+#include <mrpt_mapconv/observation/CloudTimes.h>
 #include <mrpt_mapconv/voxel/RayInsertion.h>
 
 #include <cstddef>
 
 namespace mrpt_mapconv::voxel
 {
-/** How a cloud's times become those of a trajectory: trajectory = unit · cloud + offset. */
-struct CloudTimes
-{
-  double unit = 1;    //!< of the cloud's times [s]
-  double offset = 0;  //!< [s]
-  /** How far both poses around a time may be from it [s]. */
-  double maxGap = observation::PoseTrack::kMaxGap;
-};
-
 /** What insertCloud() did. */
 struct InsertedCloud
 {
@@ -27,12 +18,13 @@ struct InsertedCloud
 
 /** Inserts each point of a cloud as a ray from where the sensor was at its time, in the cloud's
  * order, see insertRays(): free along it, occupied at its end.
- * \param cloud with times \param sensor its poses, in the cloud's coordinates before its origin was
- * taken off
+ * \param cloud with times \param sensor its poses, in the cloud's coordinates [m] before its origin
+ * was taken off
  * \exception std::invalid_argument for a cloud without times, or as insertRays()
  * \exception std::runtime_error as insertRays(); rays before the failing million are in the map */
 InsertedCloud insertCloud(VoxelGrid& grid, const cloud::PointCloud& cloud,
-                          const observation::PoseTrack& sensor, const CloudTimes& times,
-                          const RayParams& params, int threads = 0);
+                          const observation::PoseTrack& sensor,
+                          const observation::CloudTimes& times, const RayParams& params,
+                          int threads = 0);
 
 }  // namespace mrpt_mapconv::voxel
