@@ -118,25 +118,50 @@ Layer<float> opening(const Layer<float>& surface, int radius)
 std::vector<std::size_t> lonePoints(const cloud::PointCloud& cloud,
                                     const aerial::GroundParams& params)
 {
-  const double cell = params.lowPointRadius / 5;
-  const auto isNear = [&](std::size_t a, std::size_t b)
+  const auto [xMin, xMax] = std::minmax_element(cloud.x.begin(), cloud.x.end());
+  const auto [yMin, yMax] = std::minmax_element(cloud.y.begin(), cloud.y.end());
+  const double area = (*xMax - *xMin) * (*yMax - *yMin);
+  const double distance = std::sqrt(area / static_cast<double>(cloud.size()));
+  const double radius = std::max(params.lowPointRadius, 4 * distance);
+  const double depth = params.lowPointDepth * radius / params.lowPointRadius;
+  const double cell = radius / 5;
+  const auto apart = [&](std::size_t a, std::size_t b)
   {
     const int dx = grid::cellKey(cloud.x[a], cell) - grid::cellKey(cloud.x[b], cell);
     const int dy = grid::cellKey(cloud.y[a], cell) - grid::cellKey(cloud.y[b], cell);
-    return dx * dx + dy * dy <= 25;
+    return dx * dx + dy * dy;
   };
-  std::vector<std::size_t> lone;
+  Eigen::MatrixXd places(cloud.size(), 3);
+  Eigen::VectorXd heights(cloud.size());
+  for (int i = 0; i < heights.size(); ++i)
+  {
+    const auto at = static_cast<std::size_t>(i);
+    places.row(i) << cloud.x[at] - cloud.x[0], cloud.y[at] - cloud.y[0], 1;
+    heights(i) = cloud.z[at];
+  }
+  heights -= places * places.completeOrthogonalDecomposition().solve(heights);
+  const auto heightOf = [&](std::size_t i) { return heights(static_cast<int>(i)); };
+  std::vector<char> isAlone(cloud.size());
   for (std::size_t i = 0; i < cloud.size(); ++i)
   {
     std::size_t around = 0, company = 0;
     for (std::size_t j = 0; j < cloud.size(); ++j)
     {
-      if (!isNear(i, j)) continue;
+      if (apart(i, j) > 25) continue;
       ++around;
-      if (j != i && cloud.z[j] <= cloud.z[i] + params.lowPointDepth) ++company;
+      if (j != i && heightOf(j) <= heightOf(i) + depth && heightOf(j) >= heightOf(i) - radius / 2)
+        ++company;
     }
     const double enough = std::floor(params.lowPointShare * static_cast<double>(around));
-    if (around >= 3 && static_cast<double>(company) <= enough) lone.push_back(i);
+    isAlone[i] = around >= 3 && static_cast<double>(company) <= enough;
+  }
+  std::vector<std::size_t> lone;
+  for (std::size_t i = 0; i < cloud.size(); ++i)
+  {
+    bool allBelowAreAlone = isAlone[i] != 0;
+    for (std::size_t j = 0; j < cloud.size(); ++j)
+      if (apart(i, j) == 0 && heightOf(j) < heightOf(i) && !isAlone[j]) allBelowAreAlone = false;
+    if (allBelowAreAlone) lone.push_back(i);
   }
   return lone;
 }

@@ -27,7 +27,7 @@ grid::Layer<double> membrane(const grid::Layer<float>& heights);
 grid::Layer<float> opening(const grid::Layer<float>& surface, int radius);
 
 /** Indices of points that have too little company among the points in cells of a fifth of the
- * radius whose centres are within it. */
+ * radius whose centres are within it, and of which the same goes for all below in their cell. */
 std::vector<std::size_t> lonePoints(const cloud::PointCloud& cloud,
                                     const aerial::GroundParams& params);
 

@@ -26,8 +26,8 @@ void checkCloth(const GroundParams& p)
           "at least 0 m and less than the cloth's first move, gravity * timeStep^4");
   require(within(p.smoothingSlope, 0, 10), "smoothingSlope", p.smoothingSlope,
           "within 0 and 10 m/m");
-  require(within(p.smoothingReach, p.clothResolution, 20 * p.clothResolution), "smoothingReach",
-          p.smoothingReach, "within 1 and 20 times clothResolution");
+  require(within(p.smoothingReach, 0, 20 * p.clothResolution), "smoothingReach", p.smoothingReach,
+          "within 0 m and 20 times clothResolution");
 }
 
 void checkSmrf(const GroundParams& p)

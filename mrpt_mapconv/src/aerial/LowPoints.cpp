@@ -1,6 +1,8 @@
 #include "LowPoints.h"
 
+#include <Eigen/Dense>
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 #include "../grid/Parallel.h"
@@ -12,6 +14,36 @@ namespace
 constexpr std::int32_t kRadiusCells = 5;
 constexpr std::size_t kLeastPoints = 3;
 
+/** Heights of points over the plane that fits all used ones best: on a hillside every point has
+ * lower ones around. */
+class Heights
+{
+ public:
+  Heights(const cloud::PointCloud& cloud, const UsedPoints& used) : m_cloud(cloud)
+  {
+    double n = 0;
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+    for (std::size_t i = 0; i < used.size(); ++i)
+    {
+      if (!used[i]) continue;
+      const Eigen::Vector3d place = {cloud.x[i], cloud.y[i], cloud.z[i]};
+      n += 1, sum += place, squares += place * place.transpose();
+    }
+    const Eigen::Matrix3d spread = squares / n - sum / n * (sum / n).transpose();
+    m_slope = spread.topLeftCorner<2, 2>().completeOrthogonalDecomposition().solve(
+        spread.topRightCorner<2, 1>());
+  }
+  double of(std::uint32_t point) const
+  {
+    return m_cloud.z[point] - m_slope.x() * m_cloud.x[point] - m_slope.y() * m_cloud.y[point];
+  }
+
+ private:
+  const cloud::PointCloud& m_cloud;
+  Eigen::Vector2d m_slope;  // [m/m]
+};
+
 /** The used points of a cloud, cell by cell, in each from the lowest up. */
 struct SortedPoints
 {
@@ -22,8 +54,8 @@ struct SortedPoints
   std::size_t count(std::size_t cell) const { return begin[cell + 1] - begin[cell]; }
 };
 
-SortedPoints sortPoints(const cloud::PointCloud& cloud, const UsedPoints& used, double resolution,
-                        int threads)
+SortedPoints sortPoints(const cloud::PointCloud& cloud, const UsedPoints& used,
+                        const Heights& heights, double resolution, int threads)
 {
   SortedPoints sorted;
   sorted.frame = frameAround(cloud, used, {resolution, "lowPointRadius / 5"});
@@ -46,7 +78,7 @@ SortedPoints sortPoints(const cloud::PointCloud& cloud, const UsedPoints& used, 
                      for (std::size_t cell = first; cell < last; ++cell)
                        std::sort(at(sorted.begin[cell]), at(sorted.begin[cell + 1]),
                                  [&](std::uint32_t a, std::uint32_t b)
-                                 { return cloud.z[a] < cloud.z[b]; });
+                                 { return heights.of(a) < heights.of(b); });
                    });
   return sorted;
 }
@@ -65,27 +97,49 @@ void cellsAround(const grid::GridFrame& frame, std::size_t cell, std::vector<std
         cells.push_back(frame.indexOfKey(frame.x0 + ix + dx, frame.y0 + iy + dy));
 }
 
-/** Whether more than `enough` points of the cells are not higher than z. */
-bool hasCompany(const cloud::PointCloud& cloud, const SortedPoints& sorted,
-                const std::vector<std::size_t>& cells, double z, std::size_t enough)
+/** Whether more than `enough` points of the cells are company of a point of height z, itself among
+ * them. */
+bool hasCompany(const Heights& heights, const SortedPoints& sorted,
+                const std::vector<std::size_t>& cells, double z, const Company& where,
+                std::size_t enough)
 {
   std::size_t company = 0;
   for (const std::size_t cell : cells)
     for (std::size_t k = sorted.begin[cell]; k < sorted.begin[cell + 1]; ++k)
     {
-      if (cloud.z[sorted.points[k]] > z) break;
-      if (++company > enough) return true;
+      const double other = heights.of(sorted.points[k]);
+      if (other > z + where.above) break;
+      if (other >= z - where.below && ++company > enough) return true;
     }
   return false;
 }
+
+/** Of the rectangle around the used points [m²]. */
+double areaOf(const cloud::PointCloud& cloud, const UsedPoints& used)
+{
+  return rangeOf(cloud.x, used).length() * rangeOf(cloud.y, used).length();
+}
 }  // namespace
+
+Company Company::of(const GroundParams& params, double area, std::size_t points)
+{
+  constexpr double kLeastDistances = 4, kSteepest = 0.5;
+  const double distance = std::sqrt(area / static_cast<double>(points));
+  const double scale = std::max(1.0, kLeastDistances * distance / params.lowPointRadius);
+  const double radius = scale * params.lowPointRadius;
+  return {radius, kSteepest * radius, scale * params.lowPointDepth};
+}
 
 void leaveOutLowPoints(const cloud::PointCloud& cloud, const GroundParams& params, int threads,
                        UsedPoints& used)
 {
   if (params.lowPointRadius <= 0) return;
+  const auto company =
+      Company::of(params, areaOf(cloud, used),
+                  static_cast<std::size_t>(std::count(used.begin(), used.end(), 1)));
+  const Heights heights(cloud, used);
   const SortedPoints sorted =
-      sortPoints(cloud, used, params.lowPointRadius / kRadiusCells, threads);
+      sortPoints(cloud, used, heights, company.radius / kRadiusCells, threads);
   const auto judgeCell = [&](std::size_t cell, std::vector<std::size_t>& around)
   {
     cellsAround(sorted.frame, cell, around);
@@ -97,7 +151,7 @@ void leaveOutLowPoints(const cloud::PointCloud& cloud, const GroundParams& param
     for (std::size_t k = sorted.begin[cell]; k < sorted.begin[cell + 1]; ++k)
     {
       const std::uint32_t point = sorted.points[k];
-      if (hasCompany(cloud, sorted, around, cloud.z[point] + params.lowPointDepth, enough)) return;
+      if (hasCompany(heights, sorted, around, heights.of(point), company, enough)) return;
       used[point] = 0;
     }
   };

@@ -13,13 +13,12 @@ namespace
 {
 constexpr double kMostCells = 1e8;
 
-struct Range
+/** Whether keys of cells can be 32 bits. */
+bool fitsKeys(const Range& range, double resolution)
 {
-  double min = std::numeric_limits<double>::infinity();
-  double max = -std::numeric_limits<double>::infinity();
-
-  double length() const { return max - min; }
-};
+  return std::max(std::abs(range.min), std::abs(range.max)) < 2e9 * resolution;
+}
+}  // namespace
 
 Range rangeOf(const std::vector<double>& values, const UsedPoints& used)
 {
@@ -32,13 +31,6 @@ Range rangeOf(const std::vector<double>& values, const UsedPoints& used)
   }
   return range;
 }
-
-/** Whether keys of cells can be 32 bits. */
-bool fitsKeys(const Range& range, double resolution)
-{
-  return std::max(std::abs(range.min), std::abs(range.max)) < 2e9 * resolution;
-}
-}  // namespace
 
 UsedPoints usablePoints(const cloud::PointCloud& cloud)
 {

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace mrpt_mapconv::aerial
@@ -16,6 +17,17 @@ using UsedPoints = std::vector<std::uint8_t>;
 /** All points but those that the file withholds and those without finite coordinates.
  * \exception std::runtime_error if none is left */
 UsedPoints usablePoints(const cloud::PointCloud& cloud);
+
+/** Of some values the smallest and the largest. */
+struct Range
+{
+  double min = std::numeric_limits<double>::infinity();
+  double max = -std::numeric_limits<double>::infinity();
+
+  double length() const { return max - min; }
+};
+/** \param values one for each point */
+Range rangeOf(const std::vector<double>& values, const UsedPoints& used);
 
 /** How a frame of cells is laid around points. */
 struct Cells

@@ -57,7 +57,7 @@ TEST(GroundParams, WrongValuesAreRefusedByName)
   expectRefused("damping", [](GroundParams& p) { p.damping = 2; });
   expectRefused("maxIterations", [](GroundParams& p) { p.maxIterations = 0; });
   expectRefused("smoothingSlope", [](GroundParams& p) { p.smoothingSlope = -1; });
-  expectRefused("smoothingReach", [](GroundParams& p) { p.smoothingReach = 0.1; });
+  expectRefused("smoothingReach", [](GroundParams& p) { p.smoothingReach = 11; });
   expectRefused("smrfCell", [](GroundParams& p) { p.smrfCell = 0; });
   expectRefused("smrfSlope", [](GroundParams& p) { p.smrfSlope = -1; });
   expectRefused("smrfWindow", [](GroundParams& p) { p.smrfWindow = 1e6; });

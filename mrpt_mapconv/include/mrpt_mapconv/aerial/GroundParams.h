@@ -34,7 +34,7 @@ struct GroundParams
 
   double lowPointRadius = 8;     //!< [m]; 0: no point is too low
   double lowPointDepth = 0.5;    //!< [m]
-  double lowPointShare = 0.005;  //!< of the points within the radius
+  double lowPointShare = 0.001;  //!< of the points within the radius
 
   double clothResolution = 0.5;  //!< [m]
   std::int32_t rigidness = 3;
@@ -65,7 +65,9 @@ struct GroundParams
       flag("FILTER"));
     v("cellSize", p.cellSize, "m", "cells of the maps that are made", flag("M"));
     v("lowPointRadius", p.lowPointRadius, "m",
-      "points that lie alone below all others within this radius are left out; 0: none", flag("M"));
+      "points that lie alone below all others within this radius, or four distances of points, are "
+      "left out; 0: none",
+      flag("M"));
     v("lowPointDepth", p.lowPointDepth, "m", "others up to so much higher count as company",
       flag("M"));
     v("lowPointShare", p.lowPointShare, "", "share of the points around that company must exceed",
@@ -89,7 +91,8 @@ struct GroundParams
       "whether the cloth is drawn on to ground that it is too stiff to reach", flag("BOOL"));
     v("smoothingSlope", p.smoothingSlope, "m/m",
       "slope, as seen from the cloth, up to which it is drawn on", flag("SLOPE"));
-    v("smoothingReach", p.smoothingReach, "m", "distance over which it is drawn on", flag("M"));
+    v("smoothingReach", p.smoothingReach, "m",
+      "distance over which it is drawn on, at least to the next particle", flag("M"));
     v("collision", p.collision, "",
       "point of a cloth cell that stops the cloth: lowest or nearest (as published)", flag("RULE"));
     v("smrfCell", p.smrfCell, "m", "cells of smrf's surfaces", flag("M"));
