@@ -16,7 +16,7 @@ constexpr std::int32_t kMargin = 2;  // of cloth beyond the cloud, as published 
 grid::Layer<float> toleranceOf(const grid::Layer<float>& ground, const GroundParams& params)
 {
   constexpr double kSlopeReach = 2;  // [m]; what is smaller is no slope but something on it
-  const auto reach = static_cast<std::int32_t>(std::ceil(kSlopeReach / params.clothResolution));
+  const auto reach = static_cast<std::int32_t>(std::ceil(kSlopeReach / ground.frame().resolution));
   grid::Layer<float> tolerance = slopeOf(ground, reach);
   for (float& cell : tolerance.cells())
     cell = static_cast<float>(params.heightThreshold + params.heightScale * cell);
@@ -27,8 +27,9 @@ grid::Layer<float> toleranceOf(const grid::Layer<float>& ground, const GroundPar
 GroundSurface clothGround(const cloud::PointCloud& cloud, const UsedPoints& used,
                           const GroundParams& params, int threads)
 {
-  const grid::GridFrame frame =
-      frameAround(cloud, used, {params.clothResolution, "clothResolution", kCentred, kMargin});
+  const grid::GridFrame frame = frameAround(
+      cloud, used,
+      {params.clothResolutionFor(meanDistance(cloud, used)), "clothResolution", kCentred, kMargin});
   const grid::Layer<float> measured = heightsOfCells(cloud, used, frame, params.collision);
   grid::Layer<float> surface = measured;
   fillEmptyCells(surface, threads);

@@ -2,7 +2,6 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <cmath>
 #include <numeric>
 
 #include "../grid/Parallel.h"
@@ -114,18 +113,12 @@ bool hasCompany(const Heights& heights, const SortedPoints& sorted,
   return false;
 }
 
-/** Of the rectangle around the used points [m²]. */
-double areaOf(const cloud::PointCloud& cloud, const UsedPoints& used)
-{
-  return rangeOf(cloud.x, used).length() * rangeOf(cloud.y, used).length();
-}
 }  // namespace
 
-Company Company::of(const GroundParams& params, double area, std::size_t points)
+Company Company::of(const GroundParams& params, double pointDistance)
 {
   constexpr double kLeastDistances = 4, kSteepest = 0.5;
-  const double distance = std::sqrt(area / static_cast<double>(points));
-  const double scale = std::max(1.0, kLeastDistances * distance / params.lowPointRadius);
+  const double scale = std::max(1.0, kLeastDistances * pointDistance / params.lowPointRadius);
   const double radius = scale * params.lowPointRadius;
   return {radius, kSteepest * radius, scale * params.lowPointDepth};
 }
@@ -134,9 +127,8 @@ void leaveOutLowPoints(const cloud::PointCloud& cloud, const GroundParams& param
                        UsedPoints& used)
 {
   if (params.lowPointRadius <= 0) return;
-  const auto company =
-      Company::of(params, areaOf(cloud, used),
-                  static_cast<std::size_t>(std::count(used.begin(), used.end(), 1)));
+  const auto company = Company::of(params, meanDistance(cloud, used));
+  const UsedPoints before = used;
   const Heights heights(cloud, used);
   const SortedPoints sorted =
       sortPoints(cloud, used, heights, company.radius / kRadiusCells, threads);
@@ -162,6 +154,7 @@ void leaveOutLowPoints(const cloud::PointCloud& cloud, const GroundParams& param
                      for (std::size_t cell = first; cell < last; ++cell)
                        if (sorted.count(cell) > 0) judgeCell(cell, around);
                    });
+  if (std::find(used.begin(), used.end(), 1) == used.end()) used = before;
 }
 
 }  // namespace mrpt_mapconv::aerial

@@ -17,14 +17,14 @@ struct Company
 
   /** That of lowPointRadius and lowPointDepth, both enlarged if points are so far from each other
    * that the radius would be less than four of their distances. Ground falls by half of the radius
-   * at most. \param area that the points cover [m²] */
-  static Company of(const GroundParams& params, double area, std::size_t points);
+   * at most. */
+  static Company of(const GroundParams& params, double pointDistance);
 };
 
 /** Takes points that are too low to be ground out of those that are used: echoes that came over a
  * detour. Such a point has too little Company: of the n points within its radius (cells of a fifth
  * of it), at most lowPointShare·n others at its height over the plane that fits all points best.
- * Where fewer than three points are around, none is judged.
+ * Where fewer than three points are around, none is judged; nor if none would be left.
  *
  * Each point is judged by all that are used, so neither order nor threads matter; only points with
  * nothing but low points below them in their cell are looked at. */

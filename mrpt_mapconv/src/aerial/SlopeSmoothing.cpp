@@ -60,7 +60,7 @@ void drawOn(Cloth& cloth, const grid::Layer<float>& measured, const GroundParams
 {
   const grid::GridFrame& frame = measured.frame();
   const Gaps gaps(cloth, measured, params.smoothingSlope, threads);
-  const auto offsets = offsetsWithin(std::max(params.smoothingReach / params.clothResolution, 1.0));
+  const auto offsets = offsetsWithin(std::max(params.smoothingReach / frame.resolution, 1.0));
   std::vector<std::uint32_t> open;
   std::vector<bool> reached(frame.size());
   const auto reach = [&](std::uint32_t cell)

@@ -32,6 +32,12 @@ Range rangeOf(const std::vector<double>& values, const UsedPoints& used)
   return range;
 }
 
+double meanDistance(const cloud::PointCloud& cloud, const UsedPoints& used)
+{
+  const double area = rangeOf(cloud.x, used).length() * rangeOf(cloud.y, used).length();
+  return std::sqrt(area / static_cast<double>(std::count(used.begin(), used.end(), 1)));
+}
+
 UsedPoints usablePoints(const cloud::PointCloud& cloud)
 {
   UsedPoints used(cloud.size());

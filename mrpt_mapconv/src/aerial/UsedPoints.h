@@ -29,6 +29,9 @@ struct Range
 /** \param values one for each point */
 Range rangeOf(const std::vector<double>& values, const UsedPoints& used);
 
+/** Of used points, if they were spread evenly over the rectangle around them [m]. */
+double meanDistance(const cloud::PointCloud& cloud, const UsedPoints& used);
+
 /** How a frame of cells is laid around points. */
 struct Cells
 {

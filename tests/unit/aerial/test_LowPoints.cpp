@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "../mrpt_mapconv/src/aerial/LowPoints.h"
@@ -67,6 +68,41 @@ TEST(LowPoints, TwoPointsAreNotJudged)
   hand.add(0, 0, 0, true);
   hand.add(1, 0, 50, true);
   EXPECT_EQ(usedAfter(hand), (aerial::UsedPoints{1, 1}));
+}
+
+TEST(LowPoints, SomeAreAlwaysLeft)
+{
+  HandCloud hand;
+  for (const double z : {0, 50, 100}) hand.add(0, 0, z, true);
+  EXPECT_EQ(usedAfter(hand), (aerial::UsedPoints{1, 1, 1}));
+}
+
+TEST(LowPoints, AreFoundOnAHillsideAmongItsOwnLowerPoints)
+{
+  HandCloud hand;
+  addGround(hand, 40, 0.25, [](double x, double) { return 0.7 * x; });
+  hand.add(20.1, 20.1, 0.7 * 20.1 - 2, false);
+  EXPECT_EQ(usedAfter(hand).back(), 0);
+}
+
+TEST(LowPoints, FewGroundReturnsUnderACrownAreNotAmongThem)
+{
+  HandCloud hand;
+  addGround(hand, 30, 0.15, [](double, double) { return 15; });
+  for (int i = 0; i < 100; ++i) hand.add(0.3 * i, 0.3 * ((37 * i) % 100), 0, true);
+  const auto used = usedAfter(hand);
+  EXPECT_EQ(std::count(used.begin(), used.end(), 0), 0);
+}
+
+TEST(LowPoints, OfASparseCloudAreJudgedByWhatIsFarther)
+{
+  HandCloud hand;
+  addGround(hand, 600, 12, [](double, double) { return 0; });
+  const std::size_t low = hand.cloud.size();
+  hand.add(301, 301, -20, false);
+  const auto used = usedAfter(hand);
+  EXPECT_EQ(used[low], 0);
+  EXPECT_EQ(std::count(used.begin(), used.end(), 0), 1);
 }
 
 TEST(UsablePoints, AreThoseThatAreFiniteAndNotWithheld)

@@ -3,6 +3,7 @@
 #include <mrpt_mapconv/params/Fields.h>
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,7 +37,7 @@ struct GroundParams
   double lowPointDepth = 0.5;    //!< [m]
   double lowPointShare = 0.001;  //!< of the points within the radius
 
-  double clothResolution = 0.5;  //!< [m]
+  std::optional<double> clothResolution = {};  //!< [m]; none: see clothResolutionFor()
   std::int32_t rigidness = 3;
   double heightThreshold = 0.2;  //!< [m]
   double heightScale = 0.25;     //!< [m]
@@ -72,7 +73,10 @@ struct GroundParams
       flag("M"));
     v("lowPointShare", p.lowPointShare, "", "share of the points around that company must exceed",
       flag("SHARE"));
-    v("clothResolution", p.clothResolution, "m", "between the cloth's particles", flag("M"));
+    v("clothResolution", p.clothResolution, "m",
+      "between the cloth's particles; auto: 0.5, or an eighth of the points' distance if that is "
+      "more",
+      flag("M"));
     v("rigidness", p.rigidness, "", "passes of the cloth's inner constraints: 1 soft, 3 stiff",
       flag("N"));
     v("heightThreshold", p.heightThreshold, "m",
@@ -107,6 +111,8 @@ struct GroundParams
   /** \exception std::invalid_argument naming the parameter, its value and what would be right */
   void check() const;
 
+  /** That was asked for, or else what goes with points so far from each other [m]. */
+  double clothResolutionFor(double pointDistance) const;
   /** How far gravity moves a resting particle in a step, as the published code has it [m]. */
   double firstMove() const;
 };
