@@ -16,16 +16,18 @@ cd "$root"
 
 mrpt=()
 for folder in /usr/include/mrpt/*/include; do mrpt+=(-isystem "$folder"); done
-libraries=(-lmrpt-config -lmrpt-math -lmrpt-core -lmrpt-system -lz -llzf)
+libraries=(-lmrpt-config -lmrpt-math -lmrpt-core -lmrpt-system -lgdal -lz -llzf)
 flags=(-std=c++17 -g -O1 -fno-omit-frame-pointer -fsanitize=address,undefined
-       -fno-sanitize-recover=undefined -isystem /usr/include/eigen3 -Imrpt_mapconv/include
+       -fno-sanitize-recover=undefined -isystem /usr/include/eigen3 -isystem /usr/include/gdal
+       -Imrpt_mapconv/include
        "${mrpt[@]}")
 
 objects=()
-for source in mrpt_mapconv/src/{cloud,files,params}/*.cpp; do
+newest=$(find mrpt_mapconv -name '*.h' -printf '%T@ %p\n' | sort -n | tail -1 | cut -d' ' -f2)
+for source in mrpt_mapconv/src/{cloud,files,params}/*.cpp mrpt_mapconv/src/grid/CoordinateSystem.cpp; do
   case $source in */files/Object*) continue ;; esac # of MRPT's objects, which no cloud needs
   object=$out/objects/$(basename "$source").o
-  [ "$object" -nt "$source" ] || "$cxx" "${flags[@]}" -fsanitize=fuzzer-no-link -c "$source" -o "$object"
+  { [ "$object" -nt "$source" ] && [ "$object" -nt "$newest" ]; } || "$cxx" "${flags[@]}" -fsanitize=fuzzer-no-link -c "$source" -o "$object"
   objects+=("$object")
 done
 "$cxx" "${flags[@]}" tests/fuzz/make_seeds.cpp "${objects[@]}" "${libraries[@]}" -o "$out/make_seeds"
