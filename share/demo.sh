@@ -88,6 +88,20 @@ measured_stairs() {
   made+=("$dir/map")
 }
 
+flown_forest() {
+  local dir=$out/forest
+  echo
+  echo "== forest: a simulated lidar above trees on terraces (some seconds)"
+  "$mapconv" simulate "$root/config/worlds/ground_steps.ini" -o "$dir/run"
+  rm -f "$dir"/run/{scans,frames}.rawlog
+  made+=("$dir/run")
+
+  echo
+  echo "== forest: the ground below the trees, and the height above it"
+  "$mapconv" ground "$dir/run/scans.simplemap" -o "$dir/map" --points "$dir/classified.las"
+  made+=("$dir/map")
+}
+
 if [ $# -gt 0 ]; then
   convert "own/$(basename -- "$1")" "$@"
 else
@@ -95,6 +109,7 @@ else
   simulated_building
   scanned_office
   measured_stairs
+  flown_forest
   # one scan leaves gaps between its beams: coarse voxels and a low robot; and it saw hardly any
   # ground, so that the lowest free voxel has to do for it
   convert velodyne "$data/test_velodyne_VLP16.rawlog" --resolution 0.4 --min-clearance 0.4 --floor-from lowestFree
@@ -103,7 +118,8 @@ fi
 show() { # the pictures that say most, side by side; on a desktop in a window
   local pictures=() picture
   for picture in "$out/building"/{run/truth_ground,icp-slam/LOG_ICP-SLAM/*_ground,map/floor,paths/ground,paths/aerial}.png \
-    "$out/office"/{run/truth_ground,map/map,uncut/map}.png "$out/stairs/map"/{leaves,height,traversability}.png; do
+    "$out/office"/{run/truth_ground,map/map,uncut/map}.png "$out/stairs/map"/{leaves,height,traversability}.png \
+    "$out/forest/map"/{ground,aboveGround}.png; do
     [ -f "$picture" ] && pictures+=("$picture")
   done
   [ ${#pictures[@]} -gt 0 ] || return 0
