@@ -77,8 +77,8 @@ std::string groundText(const SummaryHead& head, const GroundResult& result, cons
                        points, percent(ground.groundPoints, points),
                        params::textOf(result.params.groundFilter).c_str());
   text += mrpt::format(
-      "cells        %zu (%.1f %%) with ground points, %zu (%.1f %%) with other points only, "
-      "inferred in all but the first\n",
+      "measured     %zu cells (%.1f %%) with ground points; in the others the ground is inferred, "
+      "below other points in %zu (%.1f %%)\n",
       counts.measured, percent(counts.measured, counts.cells), counts.covered - counts.measured,
       percent(counts.covered - counts.measured, counts.cells));
   text += mrpt::format("height       ground %.2f to %.2f m, the highest point %.2f m above it\n",
