@@ -113,6 +113,14 @@ class GroundRuns : public ::testing::Test
     return *std::find_if(raster.bands.begin(), raster.bands.end(),
                          [&](const Raster::Band& band) { return band.name == name; });
   }
+  static const Raster::Band& bandOf(Raster&& raster, const std::string& name) = delete;
+  /** Of the map that was written. */
+  Raster::Band band(const std::string& name) const
+  {
+    const Raster map = raster();
+    return bandOf(map, name);
+  }
+  std::vector<double> cellsOf(const std::string& name) const { return band(name).cells; }
 
   TempDir m_dir;
 };

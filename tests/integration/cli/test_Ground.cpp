@@ -95,7 +95,7 @@ TEST_F(Ground, tellsWhatItFound)
   EXPECT_TRUE(contains(text, "ground       6144 of 6464 points (95.0 %), by csf\n")) << text;
   EXPECT_TRUE(contains(text,
                        "measured     1536 cells (96.0 %) with ground points; in the others the "
-                       "ground is inferred, below other points in 64 (4.0 %)\n"))
+                       "ground is inferred, below other points in 64 cells (4.0 %)\n"))
       << text;
   EXPECT_TRUE(contains(text, "height       ground 0.02 to 2.45 m, the highest point 5.03 m above "))
       << text;
@@ -115,6 +115,19 @@ TEST_F(Ground, iniFilesSetParametersAndFlagsWin)
   const auto json = mapped("hill.csv", {"-c", ini, "--rigidness", "1"});
   EXPECT_EQ(json["resolution"].number, 0.5);
   EXPECT_EQ(json["parameters"]["rigidness"].number, 1);
+}
+
+TEST_F(Ground, slopeSmoothingIsTrueOrFalse)
+{
+  EXPECT_FALSE(
+      mapped("hill.csv", {"--slope-smoothing", "false"})["parameters"]["slopeSmoothing"].truth);
+  EXPECT_TRUE(
+      mapped("hill.csv", {"--slope-smoothing", "true"})["parameters"]["slopeSmoothing"].truth);
+  const auto run = ground("hill.csv", {"--slope-smoothing", "perhaps"});
+  EXPECT_EQ(2, run.status);
+  EXPECT_TRUE(isOneError(run.err)) << run.err;
+  EXPECT_TRUE(contains(run.err, "--slope-smoothing")) << run.err;
+  EXPECT_TRUE(contains(run.err, "perhaps")) << run.err;
 }
 
 TEST_F(Ground, theIniFileInConfigChangesNothing)

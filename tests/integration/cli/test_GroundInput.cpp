@@ -41,7 +41,7 @@ class GroundInput : public GroundRuns
     EXPECT_EQ(json["groundPoints"].number, 16 * 16);
     EXPECT_EQ(json["xMin"].number, x);
     EXPECT_EQ(json["aboveGroundMax"].number, 1);
-    for (const double height : bandOf(raster(), "ground").cells) EXPECT_EQ(height, 0.5);
+    for (const double height : cellsOf("ground")) EXPECT_EQ(height, 0.5);
   }
 };
 }  // namespace
@@ -63,10 +63,8 @@ TEST_F(GroundInput, scansIn2DAreLeftOutWithAWarning)
   EXPECT_EQ(1, warningsIn(run.err)) << run.err;
   EXPECT_TRUE(contains(run.err, "2 2D scans are left out: they see no ground")) << run.err;
   EXPECT_EQ(parseJson(run.out)["points"].number, 16 * 16 + 4 * 4);
-  writeObjects(path("flat.rawlog"), {robotAt(0, 0), scan2D(0.5), robotAt(0, 1)});
-  const auto flat = ground("flat.rawlog");
-  EXPECT_EQ(1, flat.status);
-  EXPECT_TRUE(contains(flat.err, "flat.rawlog: none of its scans has a 3D point")) << flat.err;
+  writeObjects(path("flat.rawlog"), {robotAt(0, 0), scan2D(0.5), scan2D(0.6), robotAt(0, 1)});
+  expectError("flat.rawlog", {}, {"flat.rawlog: none of its scans has a 3D point, 2 are 2D"});
 }
 
 TEST_F(GroundInput, voxelMapsGiveTheirOccupiedVoxels)
@@ -85,8 +83,7 @@ TEST_F(GroundInput, voxelMapsGiveTheirOccupiedVoxels)
     const auto json = mapped(file);
     EXPECT_EQ(json["inputKind"].text, kind + ", 272 occupied voxels");
     EXPECT_EQ(json["groundPoints"].number, 16 * 16);
-    for (const double height : bandOf(raster(), "ground").cells)
-      EXPECT_EQ(height, 0.625) << "the voxels' middle";
+    for (const double height : cellsOf("ground")) EXPECT_EQ(height, 0.625) << "the voxels' middle";
   }
   octomap::OcTree empty(0.25);
   empty.updateNode(octomap::point3d(1, 1, 1), false);
@@ -108,11 +105,10 @@ TEST_F(GroundInput, originAndSystemAreInTheGeoTiffAndHeightsHaveTheOriginsZ)
               (grid::GeoReference{{599990, 5000010, 380}, "EPSG:32632", 1}));
   EXPECT_EQ(raster().transform[0], 600000);
   EXPECT_EQ(raster().transform[3], 5000020);
-  EXPECT_NEAR(bandOf(raster(), "ground").cells.front(), 20 + Hillside::ground(0.125), 1e-6);
-  for (const std::string band : {"ground", "surface"})
-    EXPECT_EQ(bandOf(raster(), band).offset, 380) << band;
-  for (const std::string band : {"evidence", "aboveGround", "groundPoints", "allPoints"})
-    EXPECT_EQ(bandOf(raster(), band).offset, 0) << band;
+  EXPECT_NEAR(cellsOf("ground").front(), 20 + Hillside::ground(0.125), 1e-6);
+  for (const std::string name : {"ground", "surface"}) EXPECT_EQ(band(name).offset, 380) << name;
+  for (const std::string name : {"evidence", "aboveGround", "groundPoints", "allPoints"})
+    EXPECT_EQ(band(name).offset, 0) << name;
   const auto text = ground("a.csv").out;
   EXPECT_TRUE(contains(text, "origin       600000, 5000000, 0 m, taken off in pictures\n")) << text;
 }
@@ -203,6 +199,14 @@ TEST_F(GroundInput, badCloudsAreAnErrorInOneLine)
   write("text.csv", "x,y,z\n1,2\n");
   expectError("text.csv", {}, {"text.csv: line 2: has 2 columns"});
   expectError("none.csv", {}, {"none.csv"});
+}
+
+TEST_F(GroundInput, aCloudOfLowPointsAloneIsAnErrorThatNamesWhatLeavesThemOut)
+{
+  writeCloud("a.csv", Hillside::bareCloud());
+  for (const std::string filter : {"csf", "smrf"})
+    expectError("a.csv", {"--low-point-share", "1", "--ground-filter", filter},
+                {"a.csv: all points are left out as too low", "lowPointShare = 1"});
 }
 
 TEST_F(GroundInput, aSparseCloudGetsAWarningWithAFittingCellSize)
