@@ -170,8 +170,12 @@ int convert(const ConvertOptions& options)
   job.write(options.outputDir, [&](files::OutputDir& out)
             { writeOutputs(layers, params, input, out, job.progress()); });
 
-  const SummaryHead head{shownName(options.input.file), input.description(), options.outputDir,
-                         layers.frame(), input.reference()};
+  const SummaryHead head{shownName(options.input.file),
+                         input.description(),
+                         options.outputDir,
+                         layers.frame(),
+                         input.reference(),
+                         "pictures, scenes, gridmaps and voxels.bt"};
   job.print(options.json ? jsonSummary(head, counts, params, job.seconds())
                          : textSummary(head, counts, params, job.seconds()));
   return 0;

@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <utility>
 
@@ -51,7 +52,8 @@ int mapGround(const GroundOptions& options)
   Job job;
   const aerial::GroundParams params = readGroundParams(options.iniFile, options.flags);
   job.checkOutput(options.outputDir);
-  if (!options.pointsFile.empty()) checkPointsFile(options.pointsFile, options.input.file);
+  if (!options.pointsFile.empty())
+    static_cast<void>(ClassifiedPoints(options.pointsFile, options.input.file));
 
   NoEffect noEffect;
   PointInput input =
@@ -63,7 +65,9 @@ int mapGround(const GroundOptions& options)
       job.stage("ground", "finding the ground of " + name,
                 [&] { return groundBelow(input.cloud, name, params, options.threads); }),
       options.pointsFile};
-  warnAboutGround(result);
+  warnIfSparse(result);
+  std::optional<ClassifiedPoints> points;
+  if (!options.pointsFile.empty()) points.emplace(options.pointsFile, options.input.file);
   job.write(options.outputDir,
             [&](files::OutputDir& out)
             {
@@ -72,13 +76,16 @@ int mapGround(const GroundOptions& options)
               formats.reference = input.reference;
               aerial::exportGround(out, result.ground.layers, params, formats,
                                    [&](double share) { job.progress().done(share); });
-              if (!options.pointsFile.empty())
-                writeClassified(options.pointsFile, options.input.file, std::move(input.cloud),
-                                result.ground.classification);
+              if (points) points->write(std::move(input.cloud), result.ground.classification);
             });
+  if (points) points->commit();
 
-  const SummaryHead head{name, input.description, options.outputDir,
-                         result.ground.layers.ground.frame(), input.reference};
+  const SummaryHead head{name,
+                         input.description,
+                         options.outputDir,
+                         result.ground.layers.ground.frame(),
+                         input.reference,
+                         "pictures"};
   job.print(options.json ? groundJson(head, result, job.seconds())
                          : groundText(head, result, job.seconds()));
   return 0;

@@ -200,7 +200,7 @@ int insert(const InsertOptions& options)
             [&](files::OutputDir& out) { writeOutputs(map, inserter, reference, out); });
 
   const SummaryHead head{shownName(options.file), file.description, options.outputDir,
-                         map.occupancy.frame(), reference};
+                         map.occupancy.frame(),   reference,        "pictures and gridmaps"};
   job.print(options.json ? jsonSummary(head, map, inserter, job.seconds())
                          : textSummary(head, map, inserter, job.seconds()));
   return 0;

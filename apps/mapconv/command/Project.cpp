@@ -57,8 +57,12 @@ void writeOutputs(const grid::Layer<float>& layer, const grid::GeoReference& ref
 std::string summary(const ProjectOptions& options, const InputMap& input,
                     const grid::Layer<float>& layer, const Seconds& seconds)
 {
-  const SummaryHead head{shownName(options.input.file), input.description(), options.outputDir,
-                         layer.frame(), input.reference()};
+  const SummaryHead head{shownName(options.input.file),
+                         input.description(),
+                         options.outputDir,
+                         layer.frame(),
+                         input.reference(),
+                         "pictures and gridmaps"};
   const OccupancyCounts counts = countsOf(layer);
   if (!options.json)
     return headText(head) + countsText("projection", counts) + secondsText(seconds);

@@ -183,8 +183,12 @@ int mapTerrain(const TerrainOptions& options)
   job.write(options.outputDir, [&](files::OutputDir& out)
             { writeOutputs(result, input.reference(), out, job.progress()); });
 
-  const SummaryHead head{name, input.description(), options.outputDir, result.layers.height.frame(),
-                         input.reference()};
+  const SummaryHead head{name,
+                         input.description(),
+                         options.outputDir,
+                         result.layers.height.frame(),
+                         input.reference(),
+                         "pictures, scenes and gridmaps"};
   job.print(options.json ? jsonSummary(head, result, job.seconds())
                          : textSummary(head, result, job.seconds()));
   return 0;

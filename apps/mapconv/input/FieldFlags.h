@@ -96,7 +96,7 @@ class FieldFlags
       return option->check(CLI::IsMember(namesOf(field)));
     else
     {
-      if (first) option->check(*first);
+      if (first && !std::is_same_v<Field, bool>) option->check(*first);
       return option->check(isValid<Value>(name));
     }
   }

@@ -68,10 +68,12 @@ PointInput ofScans(files::ObjectFile& file, LogKind kind, const PointRequest& re
                 else
                   ++scans2D;
               });
+  if (input.cloud.empty())
+    throw std::runtime_error(name + ": none of its scans has a 3D point" +
+                             (scans2D > 0 ? ", " + std::to_string(scans2D) + " are 2D" : ""));
   if (scans2D > 0)
     printWarning(params::counted(scans2D, "2D scan") + (scans2D == 1 ? " is" : " are") +
                  " left out: they see no ground");
-  if (input.cloud.empty()) throw std::runtime_error(name + ": none of its scans has a 3D point");
   input.description = log.description + " with " + params::counted(input.cloud.size(), "point");
   return input;
 }

@@ -18,38 +18,59 @@ namespace
 {
 bool isLas(const cloud::PointCloud& cloud) { return cloud.format.rfind("LAS ", 0) == 0; }
 
-bool endsInLas(const std::string& file)
+std::string endingOf(const std::string& file)
 {
-  return params::lowerCase(std::filesystem::path(file).extension().string()) == ".las";
+  return params::lowerCase(std::filesystem::path(file).extension().string());
+}
+
+/** What is piped in cannot be read again. */
+bool isFile(const std::string& input)
+{
+  return input != "-" && std::filesystem::is_regular_file(input);
 }
 
 void warnOfOtherFields(const std::string& file, const cloud::PointCloud& cloud)
 {
+  if (isLas(cloud))
+    printWarning(file +
+                 " is written without what else a .las may have (scan angles, sources, colours, "
+                 "records); from a .las file into a .las all is kept");
   std::string names;
   for (const std::string& name : cloud.otherFields) names += (names.empty() ? "" : ", ") + name;
   if (!names.empty()) printWarning(file + " is written without " + names);
 }
-}  // namespace
 
-void checkPointsFile(const std::string& pointsFile, const std::string& input)
+const std::string& checkedName(const std::string& pointsFile, const std::string& input)
 {
   cloud::requireCloudName(pointsFile);
+  if (endingOf(pointsFile) == ".bin")
+    throw std::runtime_error(
+        "cannot write '" + pointsFile +
+        "': KITTI's .bin has no classes; .las, .ply, .pcd, .xyz, .txt and .csv "
+        "have");
   std::error_code ignored;
   if (std::filesystem::equivalent(pointsFile, input, ignored))
     throw std::runtime_error("cannot write '" + pointsFile + "': it is the input");
+  return pointsFile;
+}
+}  // namespace
+
+ClassifiedPoints::ClassifiedPoints(const std::string& pointsFile, const std::string& input)
+    : m_pointsFile(pointsFile), m_input(input), m_file(checkedName(pointsFile, input))
+{
 }
 
-void writeClassified(const std::string& pointsFile, const std::string& input,
-                     cloud::PointCloud cloud, std::vector<std::uint8_t> classes)
+void ClassifiedPoints::write(cloud::PointCloud cloud, std::vector<std::uint8_t> classes)
 {
-  if (isLas(cloud) && endsInLas(pointsFile) && input != "-")
-    return cloud::copyLasWithClasses(input, pointsFile, classes);
-  warnOfOtherFields(pointsFile, cloud);
+  const std::string& staged = m_file.stagingPath();
+  if (isLas(cloud) && endingOf(staged) == ".las" && isFile(m_input))
+    return cloud::copyLasWithClasses(m_input, staged, classes);
+  warnOfOtherFields(m_pointsFile, cloud);
   if (!cloud.classification.empty() && !cloud.withheld.empty())
     for (std::size_t i = 0; i < classes.size(); ++i)
       if (cloud.withheld[i]) classes[i] = cloud.classification[i];
   cloud.classification = std::move(classes);
-  cloud::writeCloudFile(pointsFile, cloud);
+  cloud::writeCloudFile(staged, cloud);
 }
 
 }  // namespace mapconv

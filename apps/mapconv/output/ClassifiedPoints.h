@@ -1,6 +1,7 @@
 #pragma once
 
 #include <mrpt_mapconv/cloud/PointCloud.h>
+#include <mrpt_mapconv/files/AtomicFile.h>
 
 #include <cstdint>
 #include <string>
@@ -8,16 +9,25 @@
 
 namespace mapconv
 {
-/** \exception std::runtime_error unless a cloud can be written to that name, and it is not that of
- * the input */
-void checkPointsFile(const std::string& pointsFile, const std::string& input);
+/** The file of a cloud whose points got other classes; it appears by commit() or not at all. */
+class ClassifiedPoints
+{
+ public:
+  /** \param input where the cloud is read from; "-": it cannot be read again
+   * \exception std::runtime_error naming the file and the reason unless a cloud can be written
+   * there; also if it is the input */
+  ClassifiedPoints(const std::string& pointsFile, const std::string& input);
 
-/** Writes a cloud with other classes than it has, in the order of its points. From `.las` to `.las`
- * all else is copied; other formats get what PointCloud holds, and a warning names what that leaves
- * out.
- * \param input where the cloud was read from; "-": it cannot be read again
- * \exception std::runtime_error naming the file and the reason */
-void writeClassified(const std::string& pointsFile, const std::string& input,
-                     mrpt_mapconv::cloud::PointCloud cloud, std::vector<std::uint8_t> classes);
+  /** Writes the points in their order. From `.las` to `.las` all else is copied; other formats get
+   * what PointCloud holds, and a warning names what that leaves out.
+   * \exception std::runtime_error likewise */
+  void write(mrpt_mapconv::cloud::PointCloud cloud, std::vector<std::uint8_t> classes);
+  /** Moves the written file to its place. \exception std::runtime_error likewise */
+  void commit() { m_file.commit(); }
+
+ private:
+  const std::string m_pointsFile, m_input;
+  mrpt_mapconv::files::AtomicFile m_file;
+};
 
 }  // namespace mapconv

@@ -48,6 +48,18 @@ double percent(std::size_t part, std::size_t all)
   return 100 * static_cast<double>(part) / static_cast<double>(all);
 }
 
+std::string measuredText(const GroundCounts& counts)
+{
+  const auto cells = [&counts](std::size_t some) {
+    return params::counted(some, "cell") + mrpt::format(" (%.1f %%)", percent(some, counts.cells));
+  };
+  std::string text = "measured     " + cells(counts.measured) + " with ground points";
+  if (counts.measured < counts.cells)
+    text += "; in the others the ground is inferred, below other points in " +
+            cells(counts.covered - counts.measured);
+  return text + "\n";
+}
+
 std::string changedText(const aerial::GroundParams& params)
 {
   std::vector<std::string> defaults;
@@ -73,14 +85,11 @@ std::string groundText(const SummaryHead& head, const GroundResult& result, cons
   const std::size_t points = ground.classification.size();
   const double z = head.reference.origin.z;
   std::string text = headText(head);
-  text += mrpt::format("ground       %zu of %zu points (%.1f %%), by %s\n", ground.groundPoints,
-                       points, percent(ground.groundPoints, points),
-                       params::textOf(result.params.groundFilter).c_str());
-  text += mrpt::format(
-      "cells        %zu (%.1f %%) with ground points, %zu (%.1f %%) with other points only, "
-      "inferred in all but the first\n",
-      counts.measured, percent(counts.measured, counts.cells), counts.covered - counts.measured,
-      percent(counts.covered - counts.measured, counts.cells));
+  text +=
+      mrpt::format("ground       %zu of %s (%.1f %%), by %s\n", ground.groundPoints,
+                   params::counted(points, "point").c_str(), percent(ground.groundPoints, points),
+                   params::textOf(result.params.groundFilter).c_str());
+  text += measuredText(counts);
   text += mrpt::format("height       ground %.2f to %.2f m, the highest point %.2f m above it\n",
                        counts.lowest + z, counts.highest + z, counts.mostAbove);
   if (const std::string changed = changedText(result.params); !changed.empty())
@@ -112,14 +121,9 @@ std::string groundJson(const SummaryHead& head, const GroundResult& result, cons
   return json.add("parameters", parameters).add("seconds", secondsJson(seconds)).text() + "\n";
 }
 
-void warnAboutGround(const GroundResult& result)
+void warnIfSparse(const GroundResult& result)
 {
   const aerial::Ground& ground = result.ground;
-  if (ground.groundPoints == 0)
-  {
-    printWarning("not one point is ground, so all of the ground is inferred");
-    return;
-  }
   const GroundCounts counts = countsOf(ground.layers);
   constexpr double kFewPoints = 0.2;  // a cell
   const double perCell =

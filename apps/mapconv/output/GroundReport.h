@@ -20,8 +20,7 @@ struct GroundResult
 std::string groundText(const SummaryHead& head, const GroundResult& result, const Seconds& seconds);
 std::string groundJson(const SummaryHead& head, const GroundResult& result, const Seconds& seconds);
 
-/** Warns of what a person would not expect: no ground at all, and cells that are far smaller than
- * the distances of the points. */
-void warnAboutGround(const GroundResult& result);
+/** Warns of cells that are far smaller than the distances of the points. */
+void warnIfSparse(const GroundResult& result);
 
 }  // namespace mapconv

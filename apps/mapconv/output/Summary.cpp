@@ -4,11 +4,13 @@
 #include <mrpt_mapconv/grid/CoordinateSystem.h>
 #include <mrpt_mapconv/grid/OccupancyCell.h>
 #include <mrpt_mapconv/params/Printable.h>
+#include <mrpt_mapconv/params/Text.h>
 
 namespace mapconv
 {
 namespace grid = mrpt_mapconv::grid;
 using grid::GridFrame;
+using mrpt_mapconv::params::placeText;
 
 OccupancyCounts countsOf(const grid::Layer<float>& occupancy)
 {
@@ -32,10 +34,8 @@ std::string headText(const SummaryHead& head)
                        frame.xMin() + origin.x, frame.xMax() + origin.x, frame.yMin() + origin.y,
                        frame.yMax() + origin.y);
   if (!head.reference.isLocal())
-    text += mrpt::format(
-        "origin       %s, %s, %s m, taken off in pictures, scenes, gridmaps and "
-        "voxels.bt\n",
-        jsonNumber(origin.x).c_str(), jsonNumber(origin.y).c_str(), jsonNumber(origin.z).c_str());
+    text += "origin       " + placeText(origin.x) + ", " + placeText(origin.y) + ", " +
+            placeText(origin.z) + " m, taken off in " + head.localFiles + "\n";
   if (head.reference.unit != 1)
     text += "GeoTIFF      lies in " + grid::unitInWords(head.reference.unit) +
             "; all else, also its bands, is in m\n";

@@ -23,7 +23,8 @@ struct SummaryHead
 {
   std::string input, inputKind, outputDir;
   mrpt_mapconv::grid::GridFrame frame;
-  mrpt_mapconv::grid::GeoReference reference = {};
+  mrpt_mapconv::grid::GeoReference reference;
+  std::string localFiles;  //!< those without the origin, in words
 };
 
 /** The first lines of a summary. */

@@ -64,8 +64,8 @@ void shadeHills(const Layer<float>& layer, const Zoom& zoom, Raster& raster)
       const double span = 2 * heights.step();
       const double east = (heights.at(column + 1, row) - heights.at(column - 1, row)) / span;
       const double north = (heights.at(column, row + 1) - heights.at(column, row - 1)) / span;
+      if (!std::isfinite(east + north + heights.at(column, row))) continue;
       const double light = brightness(east, north);
-      if (!std::isfinite(light) || !std::isfinite(heights.at(column, row))) continue;
       for (int v = 0; v < zoom.enlarge; ++v)
         for (int u = 0; u < zoom.enlarge; ++u)
         {

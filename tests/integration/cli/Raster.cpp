@@ -15,6 +15,7 @@ Raster::Band readBand(GDALRasterBandH band, int width, int height)
   Raster::Band out;
   out.name = GDALGetDescription(band);
   out.type = GDALGetDataTypeName(GDALGetRasterDataType(band));
+  out.offset = GDALGetRasterOffset(band, nullptr);
   int hasNoData = 0;
   const double noData = GDALGetRasterNoDataValue(band, &hasNoData);
   out.noDataIsNan = hasNoData && std::isnan(noData);

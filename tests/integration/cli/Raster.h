@@ -15,6 +15,7 @@ struct Raster
   {
     std::string name, type;
     bool noDataIsNan = false;
+    double offset = 0;          //!< to be added to the cells
     std::vector<double> cells;  //!< by rows from the lowest y, so from the file's last row
   };
   std::vector<Band> bands;

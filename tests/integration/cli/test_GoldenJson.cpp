@@ -195,6 +195,16 @@ TEST_F(GoldenJson, infoOfARealCloud)
   expectJson("info_autzen", {"info", file});
 }
 
+TEST_F(GoldenJson, ground)
+{
+  const std::string file = MRPT_MAPCONV_SHARED_DIR "/real/isprs_samp31.pcd";
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not there";
+  expectJson("ground", {"ground", file, "-o", path("out"), "--points", path("points.csv")});
+  const auto ini = write("my.ini", "[ground]\ngroundFilter = smrf\nsmrfWindow = 10\n");
+  expectJson("ground_flags", {"ground", file, "-o", path("out"), "-c", ini, "--cell-size", "1",
+                              "--crs", "EPSG:32632", "--low-point-radius", "0"});
+}
+
 TEST_F(GoldenJson, scansOfARobotThatMoves)
 {
   writeObjects(path("a.rawlog"),

@@ -73,6 +73,16 @@ TEST(GoldenOutputs, terrain)
   expectOutputs("terrain", dir, {"terrain", kVelodyne, "--static", "--max-height", "3"});
 }
 
+TEST(GoldenOutputs, ground)
+{
+  const std::string file = MRPT_MAPCONV_SHARED_DIR "/real/isprs_samp31.pcd";
+  if (!std::filesystem::exists(file)) GTEST_SKIP() << file << " is not there";
+  const TempDir dir;
+  std::filesystem::create_directory(dir.path("out"));
+  expectOutputs("ground", dir,
+                {"ground", file, "--cell-size", "1", "--points", dir.path("out/points.ply")});
+}
+
 TEST(GoldenOutputs, plan)
 {
   const TempDir dir;

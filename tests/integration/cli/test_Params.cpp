@@ -170,7 +170,7 @@ TEST(Params, EveryKeyOfOursInConfigIsInATable)
   EXPECT_GT(checked, 40u);
 }
 
-/** convert.ini, insert.ini and terrain.ini say "with their defaults". */
+/** convert.ini, insert.ini, terrain.ini and ground.ini say "with their defaults". */
 TEST(Params, TheProgramsIniFilesHoldDefaultsOrSayThatTheyDoNot)
 {
   const Tables tables = printedTables();
@@ -181,7 +181,8 @@ TEST(Params, TheProgramsIniFilesHoldDefaultsOrSayThatTheyDoNot)
            {"scanShapeGrid/insert.ini", "scanShapeGrid [scanInsertion]", "scanInsertion"},
            {"terrainGrid/terrain.ini", "terrainGrid [map]", "map"},
            {"terrainGrid/terrain.ini", "terrainGrid [terrainInsertion]", "terrainInsertion"},
-           {"terrainGrid/terrain.ini", "terrainGrid [terrain]", "terrain"}})
+           {"terrainGrid/terrain.ini", "terrainGrid [terrain]", "terrain"},
+           {"aerial/ground.ini", "`mapconv [ground]", "ground"}})
   {
     const auto values = valuesIn(kRoot / "config" / path, section);
     ASSERT_TRUE(tables.count(table) > 0 && !values.empty()) << table;

@@ -27,7 +27,7 @@ std::vector<std::string> convertWith(const TempDir& dir, std::vector<std::string
 TEST(Usage, helpAndVersionAreNoErrors)
 {
   for (const std::string command :
-       {"", "convert", "project", "insert", "terrain", "info", "run", "sample-map"})
+       {"", "convert", "project", "insert", "terrain", "ground", "info", "run", "sample-map"})
   {
     std::vector<std::string> arguments = {command, "--help"};
     if (command.empty()) arguments.erase(arguments.begin());
@@ -71,6 +71,12 @@ TEST(Usage, wrongUsageIsStatus2AndOneLineThatNamesIt)
       {{"terrain"}, "INPUT"},
       {{"terrain", input}, "--output"},
       {{"terrain", input, "-o", dir.path("out"), "--frobnicate"}, "frobnicate"},
+      {{"ground"}, "INPUT"},
+      {{"ground", input}, "--output"},
+      {{"ground", input, "-o", dir.path("out"), "--frobnicate"}, "frobnicate"},
+      {{"ground", input, "-o", dir.path("out"), "--cell-size", "0"}, "--cell-size"},
+      {{"ground", input, "-o", dir.path("out"), "--ground-filter", "pmf"}, "--ground-filter"},
+      {{"ground", input, "-o", dir.path("out"), "--points"}, "--points"},
       {{"info"}, "FILE"},
       {{"run"}, "program"},
       {{"run", "--"}, "program"},

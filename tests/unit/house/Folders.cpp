@@ -117,12 +117,15 @@ Names registeredClasses(const fs::path& root)
   return names;
 }
 
-void checkConfig(const fs::path& root, Complaints& complaints)
+void checkConfig(const fs::path& root, const Floors& floors, Complaints& complaints)
 {
   Names allowed = registeredClasses(root);
   allowed.insert({"worlds", "experiments"});
+  for (const std::string& name : namesIn(root / "config"))
+    if (floors.has(name)) allowed.insert(name);
   checkEntries(root, "config", allowed,
-               "is neither worlds, experiments nor the name of a registered map class", complaints);
+               "is neither worlds, experiments, a room nor the name of a registered map class",
+               complaints);
 }
 
 void checkUnitTests(const fs::path& root, const Floors& floors, Complaints& complaints)
@@ -157,7 +160,7 @@ Complaints complaintsAboutFolders(const fs::path& root, const Floors& floors)
                "is none of command, input, output, experiment and main.cpp", complaints);
   checkCommands(root, complaints);
   checkProgramArrows(root, complaints);
-  checkConfig(root, complaints);
+  checkConfig(root, floors, complaints);
   checkUnitTests(root, floors, complaints);
   checkTestsUseNoProgram(root, complaints);
   return complaints;

@@ -206,7 +206,8 @@ TEST(MadeUpHouse, WhatHasNoPlaceIsRefused)
             "notes.txt: has no place at the top level\n"
             "apps/other: is no program of ours\n"
             "apps/mapconv/algorithm: is none of command, input, output, experiment and main.cpp\n"
-            "config/pans: is neither worlds, experiments nor the name of a registered map class\n");
+            "config/pans: is neither worlds, experiments, a room nor the name of a registered map "
+            "class\n");
 }
 
 TEST(MadeUpHouse, ATestThatNeedsTheProgramsSourcesIsRefused)
