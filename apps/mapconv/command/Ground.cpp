@@ -68,17 +68,18 @@ int mapGround(const GroundOptions& options)
   warnIfSparse(result);
   std::optional<ClassifiedPoints> points;
   if (!options.pointsFile.empty()) points.emplace(options.pointsFile, options.input.file);
-  job.write(options.outputDir,
-            [&](files::OutputDir& out)
-            {
-              grid::ExportFormats formats{"ground.tif"};
-              formats.pictures = true;
-              formats.reference = input.reference;
-              aerial::exportGround(out, result.ground.layers, params, formats,
-                                   [&](double share) { job.progress().done(share); });
-              if (points) points->write(std::move(input.cloud), result.ground.classification);
-            });
-  if (points) points->commit();
+  job.write(
+      options.outputDir,
+      [&](files::OutputDir& out)
+      {
+        grid::ExportFormats formats{"ground.tif"};
+        formats.pictures = true;
+        formats.reference = input.reference;
+        aerial::exportGround(out, result.ground.layers, params, formats,
+                             [&](double share) { job.progress().done(share); });
+        if (points) points->write(std::move(input.cloud), result.ground.classification);
+      },
+      points ? &points->file() : nullptr);
 
   const SummaryHead head{name,
                          input.description,

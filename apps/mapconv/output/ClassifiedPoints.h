@@ -9,7 +9,8 @@
 
 namespace mapconv
 {
-/** The file of a cloud whose points got other classes; it appears by commit() or not at all. */
+/** The file of a cloud whose points got other classes; it appears when it is committed or not at
+ * all. */
 class ClassifiedPoints
 {
  public:
@@ -22,8 +23,8 @@ class ClassifiedPoints
    * what PointCloud holds, and a warning names what that leaves out.
    * \exception std::runtime_error likewise */
   void write(mrpt_mapconv::cloud::PointCloud cloud, std::vector<std::uint8_t> classes);
-  /** Moves the written file to its place. \exception std::runtime_error likewise */
-  void commit() { m_file.commit(); }
+  /** To be committed when it has been written. */
+  mrpt_mapconv::files::AtomicFile& file() { return m_file; }
 
  private:
   const std::string m_pointsFile, m_input;

@@ -30,18 +30,17 @@ Interruptible::~Interruptible()
   pthread_sigmask(SIG_UNBLOCK, &m_signals, nullptr);
 }
 
-void Interruptible::set(mrpt_mapconv::files::OutputDir* out)
+void Interruptible::set(const Outputs& outs)
 {
   const std::lock_guard<std::mutex> lock(m_mutex);
-  m_out = out;
+  m_outs = outs;
 }
 
-void Interruptible::commit()
+void Interruptible::commit(const std::function<void()>& move)
 {
   const std::lock_guard<std::mutex> lock(m_mutex);
-  auto* out = m_out;
-  m_out = nullptr;
-  out->commit();
+  m_outs.clear();
+  move();
 }
 
 void Interruptible::wait()
@@ -50,7 +49,7 @@ void Interruptible::wait()
   while (sigwait(&m_signals, &signal) != 0) continue;
   if (signal == kStop) return;
   const std::lock_guard<std::mutex> lock(m_mutex);
-  if (m_out) m_out->discard();
+  for (auto* out : m_outs) out->discard();
   std::signal(signal, SIG_DFL);
   pthread_sigmask(SIG_UNBLOCK, &m_signals, nullptr);
   std::raise(signal);  // the caller sees that a signal has ended us

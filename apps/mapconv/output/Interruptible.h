@@ -3,8 +3,10 @@
 #include <mrpt_mapconv/files/OutputDir.h>
 #include <signal.h>
 
+#include <functional>
 #include <mutex>
 #include <thread>
+#include <vector>
 
 namespace mapconv
 {
@@ -18,34 +20,35 @@ class Interruptible
   Interruptible(const Interruptible&) = delete;
   Interruptible& operator=(const Interruptible&) = delete;
 
-  /** Says what is being staged, until the result goes out of scope, which must be before `out`
-   * does. */
+  using Outputs = std::vector<mrpt_mapconv::files::OutputDir*>;
+  /** Says what is being staged, until the result goes out of scope, which must be before `outs`
+   * do. */
   class Watch
   {
    public:
     explicit Watch(Interruptible& interruptible) : m_interruptible(interruptible) {}
-    ~Watch() { m_interruptible.set(nullptr); }
+    ~Watch() { m_interruptible.set({}); }
     Watch(const Watch&) = delete;
     Watch& operator=(const Watch&) = delete;
 
    private:
     Interruptible& m_interruptible;
   };
-  [[nodiscard]] Watch watch(mrpt_mapconv::files::OutputDir& out)
+  [[nodiscard]] Watch watch(const Outputs& outs)
   {
-    set(&out);
+    set(outs);
     return Watch(*this);
   }
-  /** Moves them to their places; signals wait until that is done. */
-  void commit();
+  /** Has them moved to their places; signals wait until that is done. */
+  void commit(const std::function<void()>& move);
 
  private:
-  void set(mrpt_mapconv::files::OutputDir* out);
+  void set(const Outputs& outs);
   void wait();
 
   sigset_t m_signals;
   std::mutex m_mutex;
-  mrpt_mapconv::files::OutputDir* m_out = nullptr;
+  Outputs m_outs;
   std::thread m_waiter;
 };
 

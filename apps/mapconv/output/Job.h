@@ -1,5 +1,6 @@
 #pragma once
 
+#include <mrpt_mapconv/files/AtomicFile.h>
 #include <mrpt_mapconv/files/OutputDir.h>
 
 #include <cstddef>
@@ -56,9 +57,12 @@ class Job
   }
 
   /** The stage "write": fills a folder, in which the files then appear all or none.
-   * \exception std::exception if the folder or a file cannot be written; whatever `fill` throws */
+   * \param beside a file elsewhere that `fill` writes, too, and that appears behind them; null:
+   * none \exception std::exception if the folder or a file cannot be written; whatever `fill`
+   * throws */
   void write(const std::string& dir,
-             const std::function<void(mrpt_mapconv::files::OutputDir&)>& fill);
+             const std::function<void(mrpt_mapconv::files::OutputDir&)>& fill,
+             mrpt_mapconv::files::AtomicFile* beside = nullptr);
 
   const Seconds& seconds() const { return m_seconds; }
 

@@ -181,6 +181,22 @@ TEST_F(GroundPoints, ifTheFolderCannotBeWrittenThereAreNoPointsEither)
   EXPECT_FALSE(std::filesystem::exists(path("b.csv")));
 }
 
+TEST_F(GroundPoints, whoInterruptsTheWritingFindsNothing)
+{
+  write("wide.csv", "x,y,z\n0,0,0\n900,0,1\n0,900,1\n900,900,1\n");  // 13 million cells
+  std::filesystem::create_directories(path("points"));
+  const auto run = runProgram(
+      {"/bin/sh", "-c",
+       "cd '" + path("") +
+           "'; " MAPCONV_PROGRAM
+           " ground wide.csv -o out --ground-filter smrf --points points/b.csv & "
+           "until ls -d points/.mapconv-* out/.mapconv-*; do sleep 0.02; done >/dev/null 2>&1; "
+           "kill -TERM $!; wait $!"});
+  EXPECT_EQ(128 + 15, run.status) << run.err;
+  EXPECT_FALSE(std::filesystem::exists(path("out")));
+  EXPECT_TRUE(std::filesystem::is_empty(path("points")));
+}
+
 TEST_F(GroundPoints, ifThePointsCannotBeWrittenThereIsNoFolderEither)
 {
   writeCloud("a.csv", Hillside::bareCloud());

@@ -22,6 +22,9 @@ class AtomicFile
   /** Where to write the file; keeps the file's name and extension. */
   const std::string& stagingPath() const { return m_stagingPath; }
 
+  /** The folder in which it is staged; null if it is written directly. */
+  OutputDir* folder() { return m_folder ? &*m_folder : nullptr; }
+
   /** Moves the written file to its place. \exception std::runtime_error as OutputDir::commit() */
   void commit();
 
