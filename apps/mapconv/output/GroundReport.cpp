@@ -85,10 +85,10 @@ std::string groundText(const SummaryHead& head, const GroundResult& result, cons
   const std::size_t points = ground.classification.size();
   const double z = head.reference.origin.z;
   std::string text = headText(head);
-  text +=
-      mrpt::format("ground       %zu of %s (%.1f %%), by %s\n", ground.groundPoints,
-                   params::counted(points, "point").c_str(), percent(ground.groundPoints, points),
-                   params::textOf(result.params.groundFilter).c_str());
+  text += mrpt::format("ground       %zu of %s (%.1f %%), by %s on cells of %.3g m\n",
+                       ground.groundPoints, params::counted(points, "point").c_str(),
+                       percent(ground.groundPoints, points),
+                       params::textOf(result.params.groundFilter).c_str(), ground.filterResolution);
   text += measuredText(counts);
   text += mrpt::format("height       ground %.2f to %.2f m, the highest point %.2f m above it\n",
                        counts.lowest + z, counts.highest + z, counts.mostAbove);
@@ -114,7 +114,7 @@ std::string groundJson(const SummaryHead& head, const GroundResult& result, cons
   json.add("lowPoints", ground.lowPoints).add("withheldPoints", ground.unusedPoints);
   json.add("cellsWithGroundPoints", counts.measured).add("cellsWithPoints", counts.covered);
   json.add("groundMin", counts.lowest + z).add("groundMax", counts.highest + z);
-  json.add("aboveGroundMax", counts.mostAbove);
+  json.add("aboveGroundMax", counts.mostAbove).add("filterResolution", ground.filterResolution);
   if (!result.pointsFile.empty()) json.add("pointsFile", result.pointsFile);
   JsonObject parameters;
   addFields(result.params, parameters);

@@ -63,6 +63,7 @@ Ground findGround(const cloud::PointCloud& cloud, const GroundParams& params, in
   Ground ground;
   ground.classification = classify(cloud, used, surface, threads);
   ground.layers = mapGround(cloud, used, ground.classification, surface.height, frame);
+  ground.filterResolution = surface.height.frame().resolution;
   ground.groundPoints = countOf(ground.classification, cloud::kGround);
   ground.unusedPoints = countOf(usable, 0);
   ground.lowPoints = countOf(used, 0) - ground.unusedPoints;

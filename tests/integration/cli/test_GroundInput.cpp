@@ -195,7 +195,8 @@ TEST_F(GroundInput, badCloudsAreAnErrorInOneLine)
   expectError("wide.csv", {},
               {"wide.csv: the cloud spans 9000 x 9000 m, too much for cellSize = 0.25 m",
                "take larger cells"});
-  expectError("wide.csv", {"--cell-size", "10"}, {"too much for clothResolution = 0.5 m"});
+  expectError("wide.csv", {"--cell-size", "10", "--cloth-resolution", "0.5"},
+              {"too much for clothResolution = 0.5 m"});
   write("text.csv", "x,y,z\n1,2\n");
   expectError("text.csv", {}, {"text.csv: line 2: has 2 columns"});
   expectError("none.csv", {}, {"none.csv"});

@@ -29,6 +29,7 @@ struct Ground
   /** For each point kGround or kUnclassified; the latter also for those that were not used. */
   std::vector<std::uint8_t> classification;
   GroundLayers layers;
+  double filterResolution = 0;  //!< between the cloth's particles, or smrf's cells [m]
   std::size_t groundPoints = 0;
   std::size_t unusedPoints = 0;  //!< withheld, or without finite coordinates
   std::size_t lowPoints = 0;     //!< too low to be ground, see GroundParams::lowPointRadius
