@@ -47,6 +47,16 @@ aerial::Ground groundBelow(const cloud::PointCloud& cloud, const std::string& na
   }
 }
 
+void writeMap(const GroundResult& result, const grid::GeoReference& reference,
+              files::OutputDir& out, Progress& progress)
+{
+  grid::ExportFormats formats{"ground.tif"};
+  formats.pictures = true;
+  formats.reference = reference;
+  aerial::exportGround(out, result.ground.layers, result.params, formats,
+                       [&](double share) { progress.done(share); });
+}
+
 int mapGround(const GroundOptions& options)
 {
   Job job;
@@ -72,11 +82,7 @@ int mapGround(const GroundOptions& options)
       options.outputDir,
       [&](files::OutputDir& out)
       {
-        grid::ExportFormats formats{"ground.tif"};
-        formats.pictures = true;
-        formats.reference = input.reference;
-        aerial::exportGround(out, result.ground.layers, params, formats,
-                             [&](double share) { job.progress().done(share); });
+        writeMap(result, input.reference, out, job.progress());
         if (points) points->write(std::move(input.cloud), result.ground.classification);
       },
       points ? &points->file() : nullptr);
