@@ -75,7 +75,7 @@ int mapGround(const GroundOptions& options)
       job.stage("ground", "finding the ground of " + name,
                 [&] { return groundBelow(input.cloud, name, params, options.threads); }),
       options.pointsFile};
-  warnIfSparse(result);
+  warnAboutGround(result);
   std::optional<ClassifiedPoints> points;
   if (!options.pointsFile.empty()) points.emplace(options.pointsFile, options.input.file);
   job.write(

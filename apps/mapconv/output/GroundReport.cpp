@@ -121,9 +121,13 @@ std::string groundJson(const SummaryHead& head, const GroundResult& result, cons
   return json.add("parameters", parameters).add("seconds", secondsJson(seconds)).text() + "\n";
 }
 
-void warnIfSparse(const GroundResult& result)
+void warnAboutGround(const GroundResult& result)
 {
   const aerial::Ground& ground = result.ground;
+  if (!ground.hasSettled)
+    printWarning("the cloth did not come to rest in maxIterations = " +
+                 std::to_string(result.params.maxIterations) +
+                 " steps, so it may hang below the ground");
   const GroundCounts counts = countsOf(ground.layers);
   constexpr double kFewPoints = 0.2;  // a cell
   const double perCell =

@@ -20,7 +20,8 @@ struct GroundResult
 std::string groundText(const SummaryHead& head, const GroundResult& result, const Seconds& seconds);
 std::string groundJson(const SummaryHead& head, const GroundResult& result, const Seconds& seconds);
 
-/** Warns of cells that are far smaller than the distances of the points. */
-void warnIfSparse(const GroundResult& result);
+/** Warns of a cloth that did not come to rest, and of cells that are far smaller than the distances
+ * of the points. */
+void warnAboutGround(const GroundResult& result);
 
 }  // namespace mapconv

@@ -35,15 +35,15 @@ GroundSurface clothGround(const cloud::PointCloud& cloud, const UsedPoints& used
   fillEmptyCells(surface, threads);
 
   Cloth cloth(surface, params, threads);
-  cloth.settle();
+  bool hasSettled = cloth.settle() < params.maxIterations;
   if (params.slopeSmoothing)
   {
     drawOn(cloth, measured, params, threads);
-    cloth.settle();
+    hasSettled = cloth.settle() < params.maxIterations;
   }
   grid::Layer<float> ground = cloth.heights();
   grid::Layer<float> tolerance = toleranceOf(ground, params);
-  return {std::move(ground), std::move(tolerance)};
+  return {std::move(ground), std::move(tolerance), hasSettled};
 }
 
 }  // namespace mrpt_mapconv::aerial

@@ -1,8 +1,6 @@
-#include <mrpt/core/format.h>
 #include <mrpt_mapconv/aerial/Ground.h>
 
 #include <algorithm>
-#include <stdexcept>
 
 #include "../grid/Parallel.h"
 #include "GroundMap.h"
@@ -16,15 +14,6 @@ namespace
 std::size_t countOf(const std::vector<std::uint8_t>& values, std::uint8_t value)
 {
   return static_cast<std::size_t>(std::count(values.begin(), values.end(), value));
-}
-
-void requireAny(const UsedPoints& used, const GroundParams& params)
-{
-  if (countOf(used, 1) == 0)
-    throw std::runtime_error(
-        mrpt::format("all points are left out as too low, by lowPointRadius = %g m and "
-                     "lowPointShare = %g: lower the latter, or set the former to 0",
-                     params.lowPointRadius, params.lowPointShare));
 }
 
 /** Points that lie below the surface are ground, too: those that are too low are not used. */
@@ -56,7 +45,6 @@ Ground findGround(const cloud::PointCloud& cloud, const GroundParams& params, in
   const grid::GridFrame frame = frameAround(cloud, usable, {params.cellSize, "cellSize"});
   UsedPoints used = usable;
   leaveOutLowPoints(cloud, params, threads, used);
-  requireAny(used, params);
   const GroundSurface surface = params.groundFilter == GroundFilter::Csf
                                     ? clothGround(cloud, used, params, threads)
                                     : morphologicalGround(cloud, used, params, threads);
@@ -64,6 +52,7 @@ Ground findGround(const cloud::PointCloud& cloud, const GroundParams& params, in
   ground.classification = classify(cloud, used, surface, threads);
   ground.layers = mapGround(cloud, used, ground.classification, surface.height, frame);
   ground.filterResolution = surface.height.frame().resolution;
+  ground.hasSettled = surface.hasSettled;
   ground.groundPoints = countOf(ground.classification, cloud::kGround);
   ground.unusedPoints = countOf(usable, 0);
   ground.lowPoints = countOf(used, 0) - ground.unusedPoints;

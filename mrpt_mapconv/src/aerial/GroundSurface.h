@@ -12,6 +12,7 @@ struct GroundSurface
 {
   grid::Layer<float> height;     //!< at the cells' centres [m]
   grid::Layer<float> tolerance;  //!< points at most so much above it are ground [m]
+  bool hasSettled = true;        //!< false: of a cloth that was stopped before it rested
 };
 
 /** The cloth simulation filter: the cloth is pressed against the lowest points, then, with

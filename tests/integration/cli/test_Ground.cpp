@@ -92,7 +92,9 @@ TEST_F(Ground, tellsWhatItFound)
   EXPECT_FALSE(json.has("pointsFile"));
 
   const auto text = ground("hill.csv", {"--cell-size", "0.5"}).out;
-  EXPECT_TRUE(contains(text, "ground       6144 of 6464 points (95.0 %), by csf\n")) << text;
+  EXPECT_TRUE(
+      contains(text, "ground       6144 of 6464 points (95.0 %), by csf on cells of 0.5 m\n"))
+      << text;
   EXPECT_TRUE(contains(text,
                        "measured     1536 cells (96.0 %) with ground points; in the others the "
                        "ground is inferred, below other points in 64 cells (4.0 %)\n"))

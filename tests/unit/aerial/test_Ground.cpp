@@ -149,6 +149,23 @@ TEST(Ground, ParametersAreChecked)
   EXPECT_THROW(aerial::findGround(hand.cloud, params), std::invalid_argument);
 }
 
+TEST(Ground, OpeningsFindHousesAsWideAsTheWindow)
+{
+  HandCloud hand;
+  addGround(hand, 100, 0.5, [](double, double) { return 0; });
+  addBox(hand, 30, 66, 30, 66, 6);  // 36 cells: too few for a disc of 18, enough for one of 17
+  GroundParams params;
+  params.groundFilter = GroundFilter::Smrf;
+  const auto found = [&]
+  {
+    return eval::scoreGround(aerial::findGround(hand.cloud, params).classification, hand.truth)
+        .otherAsGround;
+  };
+  EXPECT_EQ(found(), 0U);
+  params.smrfWindow = 17;
+  EXPECT_GT(found(), 1000U);
+}
+
 TEST(Ground, TheClothLiesOnSteepHillsides)
 {
   for (const double slope : {0.6, 1.0})

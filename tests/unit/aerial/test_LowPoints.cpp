@@ -65,9 +65,11 @@ TEST(LowPoints, RadiusZeroLeavesNoneOut)
 TEST(LowPoints, TwoPointsAreNotJudged)
 {
   HandCloud hand;
-  hand.add(0, 0, 0, true);
-  hand.add(1, 0, 50, true);
-  EXPECT_EQ(usedAfter(hand), (aerial::UsedPoints{1, 1}));
+  addGround(hand, 30, 0.5, [](double, double) { return 0; });
+  hand.add(200, 0, 0, true);
+  hand.add(201, 0, 50, true);
+  const auto used = usedAfter(hand);
+  EXPECT_EQ(std::count(used.begin(), used.end(), 0), 0);
 }
 
 TEST(LowPoints, SomeAreAlwaysLeft)

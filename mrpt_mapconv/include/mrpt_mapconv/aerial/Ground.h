@@ -30,6 +30,7 @@ struct Ground
   std::vector<std::uint8_t> classification;
   GroundLayers layers;
   double filterResolution = 0;  //!< between the cloth's particles, or smrf's cells [m]
+  bool hasSettled = true;       //!< false: maxIterations ended before the cloth rested
   std::size_t groundPoints = 0;
   std::size_t unusedPoints = 0;  //!< withheld, or without finite coordinates
   std::size_t lowPoints = 0;     //!< too low to be ground, see GroundParams::lowPointRadius
