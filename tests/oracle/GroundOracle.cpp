@@ -116,12 +116,8 @@ Layer<float> opening(const Layer<float>& surface, int radius)
 }
 
 std::vector<std::size_t> lonePoints(const cloud::PointCloud& cloud,
-                                    const aerial::GroundParams& params)
+                                    const aerial::GroundParams& params, double distance)
 {
-  const auto [xMin, xMax] = std::minmax_element(cloud.x.begin(), cloud.x.end());
-  const auto [yMin, yMax] = std::minmax_element(cloud.y.begin(), cloud.y.end());
-  const double area = (*xMax - *xMin) * (*yMax - *yMin);
-  const double distance = std::sqrt(area / static_cast<double>(cloud.size()));
   const double radius = std::max(params.lowPointRadius, 4 * distance);
   const double depth = params.lowPointDepth * radius / params.lowPointRadius;
   const double cell = radius / 5;
@@ -152,8 +148,8 @@ std::vector<std::size_t> lonePoints(const cloud::PointCloud& cloud,
       if (j != i && heightOf(j) <= heightOf(i) + depth && heightOf(j) >= heightOf(i) - radius / 2)
         ++company;
     }
-    const double enough = std::floor(params.lowPointShare * static_cast<double>(around));
-    isAlone[i] = around >= 3 && static_cast<double>(company) <= enough;
+    const double enough = 3 + std::floor(params.lowPointShare * static_cast<double>(around));
+    isAlone[i] = around >= 10 && static_cast<double>(company) < enough;
   }
   std::vector<std::size_t> lone;
   for (std::size_t i = 0; i < cloud.size(); ++i)

@@ -27,9 +27,10 @@ grid::Layer<double> membrane(const grid::Layer<float>& heights);
 grid::Layer<float> opening(const grid::Layer<float>& surface, int radius);
 
 /** Indices of points that have too little company among the points in cells of a fifth of the
- * radius whose centres are within it, and of which the same goes for all below in their cell. */
+ * radius whose centres are within it, and of which the same goes for all below in their cell.
+ * \param distance of points on average [m] */
 std::vector<std::size_t> lonePoints(const cloud::PointCloud& cloud,
-                                    const aerial::GroundParams& params);
+                                    const aerial::GroundParams& params, double distance);
 
 /** A cloth of double heights, particle by particle and constraint by constraint, settled once
  * below a surface from which the plane that fits best was taken off.

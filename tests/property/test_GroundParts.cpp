@@ -116,7 +116,9 @@ TEST(GroundParts, LowPointsAreThoseWithoutCompany)
         auto used = aerial::usablePoints(cloud);
         aerial::leaveOutLowPoints(cloud, params, 2, used);
         auto right = aerial::usablePoints(cloud);
-        for (const std::size_t point : oracle::lonePoints(cloud, params)) right[point] = 0;
+        const double distance = aerial::meanDistance(cloud, right);
+        for (const std::size_t point : oracle::lonePoints(cloud, params, distance))
+          right[point] = 0;
         ASSERT_EQ(used, right);
       });
 }

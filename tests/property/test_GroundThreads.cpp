@@ -24,7 +24,7 @@ GroundParams randomParams(Rng& rng, GroundFilter filter)
   params.rigidness = pick(rng, 1, 3);
   params.slopeSmoothing = chance(rng, 80);
   params.clothResolution = uniform(rng, 0.3, 0.4);
-  params.smoothingReach = *params.clothResolution * uniform(rng, 1, 5);
+  params.smoothingReach = params.clothResolution * uniform(rng, 1, 5);
   return params;
 }
 

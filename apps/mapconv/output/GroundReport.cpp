@@ -99,7 +99,7 @@ std::string groundText(const SummaryHead& head, const GroundResult& result, cons
             " below the ground, as lone low points (lowPointRadius)\n";
   if (ground.unusedPoints > 0)
     text += "left out     " + params::counted(ground.unusedPoints, "point") +
-            " that the file marks as withheld\n";
+            " that the file marks as withheld or noise\n";
   if (!result.pointsFile.empty()) text += "points       -> " + result.pointsFile + "\n";
   return text + secondsText(seconds);
 }
@@ -128,6 +128,23 @@ void warnAboutGround(const GroundResult& result)
     printWarning("the cloth did not come to rest in maxIterations = " +
                  std::to_string(result.params.maxIterations) +
                  " steps, so it may hang below the ground");
+  constexpr double kFewGroundPoints = 0.003;  // of all points
+  if (static_cast<double>(ground.groundPoints) <
+      kFewGroundPoints * static_cast<double>(ground.classification.size()))
+    printWarning(
+        mrpt::format("only %.2g %% of the points are ground, so nearly all of it is inferred",
+                     percent(ground.groundPoints, ground.classification.size())));
+  constexpr double kManyParticles = 8;  // between two points
+  if (result.params.groundFilter == aerial::GroundFilter::Csf &&
+      ground.pointDistance > kManyParticles * ground.filterResolution)
+  {
+    printWarning(mrpt::format(
+        "the points are %.3g m apart, the cloth's particles %.3g m: it comes up into what is wider "
+        "than some gaps between points, houses say; --cloth-resolution %.2g is stiffer and faster, "
+        "but cuts steep hills",
+        ground.pointDistance, ground.filterResolution, ground.pointDistance / 3));
+    return;
+  }
   const GroundCounts counts = countsOf(ground.layers);
   constexpr double kFewPoints = 0.2;  // a cell
   const double perCell =

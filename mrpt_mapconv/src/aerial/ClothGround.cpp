@@ -27,9 +27,8 @@ grid::Layer<float> toleranceOf(const grid::Layer<float>& ground, const GroundPar
 GroundSurface clothGround(const cloud::PointCloud& cloud, const UsedPoints& used,
                           const GroundParams& params, int threads)
 {
-  const grid::GridFrame frame = frameAround(
-      cloud, used,
-      {params.clothResolutionFor(meanDistance(cloud, used)), "clothResolution", kCentred, kMargin});
+  const grid::GridFrame frame =
+      frameAround(cloud, used, {params.clothResolution, "clothResolution", kCentred, kMargin});
   const grid::Layer<float> measured = heightsOfCells(cloud, used, frame, params.collision);
   grid::Layer<float> surface = measured;
   fillEmptyCells(surface, threads);

@@ -16,7 +16,7 @@ std::size_t countOf(const std::vector<std::uint8_t>& values, std::uint8_t value)
   return static_cast<std::size_t>(std::count(values.begin(), values.end(), value));
 }
 
-/** Points that lie below the surface are ground, too: those that are too low are not used. */
+/** Points that lie below the surface are ground, too. Noise keeps its class. */
 std::vector<std::uint8_t> classify(const cloud::PointCloud& cloud, const UsedPoints& used,
                                    const GroundSurface& surface, int threads)
 {
@@ -26,6 +26,7 @@ std::vector<std::uint8_t> classify(const cloud::PointCloud& cloud, const UsedPoi
                    {
                      for (std::size_t i = begin; i < end; ++i)
                      {
+                       if (isNoise(cloud, i)) classes[i] = cloud.classification[i];
                        if (!used[i]) continue;
                        const double x = cloud.x[i], y = cloud.y[i];
                        const float above =
@@ -52,6 +53,7 @@ Ground findGround(const cloud::PointCloud& cloud, const GroundParams& params, in
   ground.classification = classify(cloud, used, surface, threads);
   ground.layers = mapGround(cloud, used, ground.classification, surface.height, frame);
   ground.filterResolution = surface.height.frame().resolution;
+  ground.pointDistance = meanDistance(cloud, used);
   ground.hasSettled = surface.hasSettled;
   ground.groundPoints = countOf(ground.classification, cloud::kGround);
   ground.unusedPoints = countOf(usable, 0);

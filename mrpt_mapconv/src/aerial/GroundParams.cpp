@@ -1,23 +1,18 @@
 #include <mrpt_mapconv/aerial/GroundParams.h>
 #include <mrpt_mapconv/params/Require.h>
 
-#include <algorithm>
-
 namespace mrpt_mapconv::aerial
 {
 using params::require;
 
 namespace
 {
-constexpr double kClothResolution = 0.5;  // by default [m]
-
 bool within(double value, double least, double most) { return value >= least && value <= most; }
 
 void checkCloth(const GroundParams& p)
 {
-  if (p.clothResolution)
-    require(within(*p.clothResolution, 0.01, 100), "clothResolution", *p.clothResolution,
-            "within 0.01 and 100 m, or auto");
+  require(within(p.clothResolution, 0.01, 100), "clothResolution", p.clothResolution,
+          "within 0.01 and 100 m");
   require(p.rigidness >= 1 && p.rigidness <= 15, "rigidness", p.rigidness, "within 1 and 15");
   require(within(p.heightThreshold, 0, 100), "heightThreshold", p.heightThreshold,
           "within 0 and 100 m");
@@ -31,8 +26,8 @@ void checkCloth(const GroundParams& p)
           "at least 0 m and less than the cloth's first move, gravity * timeStep^4");
   require(within(p.smoothingSlope, 0, 10), "smoothingSlope", p.smoothingSlope,
           "within 0 and 10 m/m");
-  require(within(p.smoothingReach, 0, 20 * p.clothResolution.value_or(kClothResolution)),
-          "smoothingReach", p.smoothingReach, "within 0 m and 20 times clothResolution");
+  require(within(p.smoothingReach, 0, 20 * p.clothResolution), "smoothingReach", p.smoothingReach,
+          "within 0 m and 20 times clothResolution");
 }
 
 void checkSmrf(const GroundParams& p)
@@ -56,12 +51,6 @@ const std::vector<std::string>& namesOf(CollisionRule)
 {
   static const std::vector<std::string> names{"lowest", "nearest"};
   return names;
-}
-
-double GroundParams::clothResolutionFor(double pointDistance) const
-{
-  // more particles between points tell nothing, and bring the cloth up into wide buildings
-  return clothResolution.value_or(std::max(kClothResolution, pointDistance / 8));
 }
 
 double GroundParams::firstMove() const

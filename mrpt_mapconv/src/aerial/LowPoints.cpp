@@ -11,7 +11,8 @@ namespace mrpt_mapconv::aerial
 namespace
 {
 constexpr std::int32_t kRadiusCells = 5;
-constexpr std::size_t kLeastPoints = 3;
+constexpr std::size_t kLeastPoints = 10;  // around a point that is judged
+constexpr std::size_t kLeastCompany = 3;  // other points
 
 /** Heights of points over the plane that fits all used ones best: on a hillside every point has
  * lower ones around. */
@@ -21,12 +22,14 @@ class Heights
   Heights(const cloud::PointCloud& cloud, const UsedPoints& used) : m_cloud(cloud)
   {
     double n = 0;
+    Eigen::Vector3d first = Eigen::Vector3d::Zero();  // far coordinates would cost digits
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
     for (std::size_t i = 0; i < used.size(); ++i)
     {
       if (!used[i]) continue;
-      const Eigen::Vector3d place = {cloud.x[i], cloud.y[i], cloud.z[i]};
+      if (n == 0) first = {cloud.x[i], cloud.y[i], cloud.z[i]};
+      const Eigen::Vector3d place = Eigen::Vector3d(cloud.x[i], cloud.y[i], cloud.z[i]) - first;
       n += 1, sum += place, squares += place * place.transpose();
     }
     const Eigen::Matrix3d spread = squares / n - sum / n * (sum / n).transpose();
@@ -138,8 +141,8 @@ void leaveOutLowPoints(const cloud::PointCloud& cloud, const GroundParams& param
     std::size_t points = 0;
     for (const std::size_t other : around) points += sorted.count(other);
     if (points < kLeastPoints) return;
-    const auto enough =
-        1 + static_cast<std::size_t>(params.lowPointShare * static_cast<double>(points));
+    const auto enough = kLeastCompany + static_cast<std::size_t>(params.lowPointShare *
+                                                                 static_cast<double>(points));
     for (std::size_t k = sorted.begin[cell]; k < sorted.begin[cell + 1]; ++k)
     {
       const std::uint32_t point = sorted.points[k];

@@ -23,8 +23,8 @@ struct Company
 
 /** Takes points that are too low to be ground out of those that are used: echoes that came over a
  * detour. Such a point has too little Company: of the n points within its radius (cells of a fifth
- * of it), at most lowPointShare·n others at its height over the plane that fits all points best.
- * Where fewer than three points are around, none is judged; nor if none would be left.
+ * of it), less than three others and lowPointShare·n at its height over the plane that fits all
+ * points best. Where fewer than ten points are around, none is judged; nor if none would be left.
  *
  * Each point is judged by all that are used, so neither order nor threads matter; only points with
  * nothing but low points below them in their cell are looked at. */

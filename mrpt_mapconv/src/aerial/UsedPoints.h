@@ -14,8 +14,11 @@ namespace mrpt_mapconv::aerial
 /** One value for each point of a cloud: 1 for those that take part. */
 using UsedPoints = std::vector<std::uint8_t>;
 
-/** All points but those that the file withholds and those without finite coordinates.
- * \exception std::runtime_error if none is left */
+/** Whether the file calls a point noise, which somebody has looked for. */
+bool isNoise(const cloud::PointCloud& cloud, std::size_t point);
+
+/** All points but those that the file withholds or calls noise and those without finite
+ * coordinates. \exception std::runtime_error if none is left */
 UsedPoints usablePoints(const cloud::PointCloud& cloud);
 
 /** Of some values the smallest and the largest. */
@@ -29,7 +32,10 @@ struct Range
 /** \param values one for each point */
 Range rangeOf(const std::vector<double>& values, const UsedPoints& used);
 
-/** Of used points, if they were spread evenly over the rectangle around them [m]. */
+/** Below this meanDistance() does not look closely [m]. */
+constexpr double kFineDistance = 1;
+
+/** Of used points, if they were spread evenly over where there are some [m]. */
 double meanDistance(const cloud::PointCloud& cloud, const UsedPoints& used);
 
 /** How a frame of cells is laid around points. */

@@ -195,8 +195,7 @@ TEST_F(GroundInput, badCloudsAreAnErrorInOneLine)
   expectError("wide.csv", {},
               {"wide.csv: the cloud spans 9000 x 9000 m, too much for cellSize = 0.25 m",
                "take larger cells"});
-  expectError("wide.csv", {"--cell-size", "10", "--cloth-resolution", "0.5"},
-              {"too much for clothResolution = 0.5 m"});
+  expectError("wide.csv", {"--cell-size", "10"}, {"too much for clothResolution = 0.5 m"});
   write("text.csv", "x,y,z\n1,2\n");
   expectError("text.csv", {}, {"text.csv: line 2: has 2 columns"});
   expectError("none.csv", {}, {"none.csv"});
@@ -211,11 +210,15 @@ TEST_F(GroundInput, aClothThatDoesNotComeToRestGetsAWarning)
   EXPECT_TRUE(contains(run.err, "did not come to rest in maxIterations = 1 steps")) << run.err;
 }
 
-TEST_F(GroundInput, aSparseCloudGetsAWarningWithAFittingCellSize)
+TEST_F(GroundInput, aSparseCloudGetsAWarningWithAFittingClothOrCell)
 {
   write("a.csv", "x,y,z\n0.1,0.1,1\n10.1,0.1,1\n10.1,10.1,1\n0.1,10.1,1\n");
   const auto run = ground("a.csv");
   EXPECT_EQ(0, run.status) << run.err;
   EXPECT_EQ(1, warningsIn(run.err)) << run.err;
-  EXPECT_TRUE(contains(run.err, "--cell-size 5.1 would give each cell about one")) << run.err;
+  EXPECT_TRUE(contains(run.err, "the points are 5 m apart, the cloth's particles 0.5 m"))
+      << run.err;
+  EXPECT_TRUE(contains(run.err, "--cloth-resolution 1.7 is stiffer")) << run.err;
+  EXPECT_TRUE(contains(ground("a.csv", {"--cloth-resolution", "2"}).err,
+                       "--cell-size 5.1 would give each cell about one"));
 }

@@ -29,9 +29,7 @@ TEST(GroundParams, DefaultsAreThoseOfThePublications)
   EXPECT_EQ(p.groundFilter, aerial::GroundFilter::Csf);
   EXPECT_EQ(p.rigidness, 3);
   EXPECT_EQ(p.heightThreshold, 0.2);
-  EXPECT_FALSE(p.clothResolution);
-  EXPECT_EQ(p.clothResolutionFor(4), 0.5);
-  EXPECT_EQ(p.clothResolutionFor(12), 1.5);
+  EXPECT_EQ(p.clothResolution, 0.5);
   EXPECT_EQ(p.timeStep, 0.65);
   EXPECT_EQ(p.gravity, 0.2);
   EXPECT_EQ(p.damping, 0.01);

@@ -1,6 +1,9 @@
 #include <gtest/gtest.h>
+#include <mrpt_mapconv/aerial/Ground.h>
 
 #include <algorithm>
+#include <cmath>
+#include <random>
 #include <stdexcept>
 
 #include "../mrpt_mapconv/src/aerial/LowPoints.h"
@@ -91,9 +94,48 @@ TEST(LowPoints, FewGroundReturnsUnderACrownAreNotAmongThem)
 {
   HandCloud hand;
   addGround(hand, 30, 0.15, [](double, double) { return 15; });
-  for (int i = 0; i < 100; ++i) hand.add(0.3 * i, 0.3 * ((37 * i) % 100), 0, true);
+  for (int i = 0; i < 300; ++i) hand.add(0.1 * i, 0.1 * ((37 * i) % 300), 0, true);
   const auto used = usedAfter(hand);
   EXPECT_EQ(std::count(used.begin(), used.end(), 0), 0);
+}
+
+/** Level ground of random points, one in a thousand of them up to 30 m too low. */
+HandCloud surveyOf(double density, double side, unsigned seed)
+{
+  std::mt19937 random(seed);
+  const auto share = [&] { return static_cast<double>(random()) / 4294967296.0; };
+  HandCloud hand;
+  for (int i = 0; i < static_cast<int>(density * side * side); ++i)
+  {
+    const bool isLow = i % 1000 == 0;
+    hand.add(side * share(), side * share(), isLow ? -1 - 29 * share() : 0.1 * share(), !isLow);
+  }
+  return hand;
+}
+
+TEST(LowPoints, OneInAThousandMakesNoPitAtAnyDensity)
+{
+  for (const double density : {0.5, 2.0, 4.0, 20.0, 70.0})
+    for (unsigned seed = 1; seed <= 3; ++seed)
+    {
+      const HandCloud hand = surveyOf(density, density < 10 ? 100 : 40, seed);
+      const auto ground = aerial::findGround(hand.cloud, {}, 1);
+      const auto& heights = ground.layers.ground.cells();
+      EXPECT_GT(*std::min_element(heights.begin(), heights.end()), -1)
+          << "density " << density << ", seed " << seed;
+    }
+}
+
+TEST(LowPoints, AStrayPointChangesNothingElsewhere)
+{
+  HandCloud hand;
+  addGround(hand, 100, 1, [](double x, double) { return 15 * std::sin(x / 30); });
+  const auto before = usedAfter(hand);
+  hand.add(800, 900, 0, true);
+  auto after = usedAfter(hand);
+  after.pop_back();
+  EXPECT_EQ(after, before);
+  EXPECT_NEAR(aerial::meanDistance(hand.cloud, usedAfter(hand)), 1, 0.3);
 }
 
 TEST(LowPoints, OfASparseCloudAreJudgedByWhatIsFarther)
@@ -105,6 +147,22 @@ TEST(LowPoints, OfASparseCloudAreJudgedByWhatIsFarther)
   const auto used = usedAfter(hand);
   EXPECT_EQ(used[low], 0);
   EXPECT_EQ(std::count(used.begin(), used.end(), 0), 1);
+}
+
+TEST(UsablePoints, NoiseIsNotAmongThemAndKeepsItsClass)
+{
+  HandCloud hand = slope();
+  hand.cloud.classification.assign(hand.cloud.size(), 1);
+  for (const std::uint8_t noise : std::vector<std::uint8_t>{7, 18})
+  {
+    hand.add(15.1, 15.1, 2, false);
+    hand.cloud.classification.push_back(noise);
+  }
+  const auto ground = aerial::findGround(hand.cloud, {}, 1);
+  const auto& classes = ground.classification;
+  EXPECT_EQ(classes[classes.size() - 2], 7);
+  EXPECT_EQ(classes.back(), 18);
+  EXPECT_EQ(ground.unusedPoints, 2U);
 }
 
 TEST(UsablePoints, AreThoseThatAreFiniteAndNotWithheld)

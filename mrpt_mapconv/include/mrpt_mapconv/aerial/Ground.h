@@ -26,13 +26,15 @@ struct GroundLayers
 /** The ground below a cloud. */
 struct Ground
 {
-  /** For each point kGround or kUnclassified; the latter also for those that were not used. */
+  /** For each point kGround or kUnclassified; the latter also for those that were not used, but
+   * noise (classes 7 and 18) keeps its class. */
   std::vector<std::uint8_t> classification;
   GroundLayers layers;
   double filterResolution = 0;  //!< between the cloth's particles, or smrf's cells [m]
+  double pointDistance = 0;     //!< of used points, on average [m]
   bool hasSettled = true;       //!< false: maxIterations ended before the cloth rested
   std::size_t groundPoints = 0;
-  std::size_t unusedPoints = 0;  //!< withheld, or without finite coordinates
+  std::size_t unusedPoints = 0;  //!< withheld, noise, or without finite coordinates
   std::size_t lowPoints = 0;     //!< too low to be ground, see GroundParams::lowPointRadius
 };
 

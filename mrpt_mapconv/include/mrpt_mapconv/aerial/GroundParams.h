@@ -3,7 +3,6 @@
 #include <mrpt_mapconv/params/Fields.h>
 
 #include <cstdint>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,10 +11,12 @@ namespace mrpt_mapconv::aerial
 /** What finds the ground below a cloud. */
 enum class GroundFilter
 {
-  Csf,  //!< a cloth pressed against the cloud from below (Zhang et al. 2016): follows slopes, steps
-        //!< and hollows, also where few beams reach the ground
-  Smrf  //!< openings of the lowest surface (Pingel et al. 2013): fewer errors among buildings, five
-        //!< times as fast; cuts the tops off narrow hills
+  Csf,  //!< a cloth pressed against the cloud from below (Zhang et al. 2016): follows slopes and
+        //!< hollows, also where few beams reach the ground; cuts ridges steeper than about 40
+        //!< degrees
+  Smrf  //!< openings of the lowest surface (Pingel et al. 2013): fewer errors among buildings;
+        //!< takes crowns for ground where few beams come through, and loses ground at a map's upper
+        //!< end
 };
 const std::vector<std::string>& namesOf(GroundFilter);  //!< "csf", "smrf"
 
@@ -35,9 +36,9 @@ struct GroundParams
 
   double lowPointRadius = 8;     //!< [m]; 0: no point is too low
   double lowPointDepth = 0.5;    //!< [m]
-  double lowPointShare = 0.001;  //!< of the points within the radius
+  double lowPointShare = 0.002;  //!< of the points within the radius
 
-  std::optional<double> clothResolution = {};  //!< [m]; none: see clothResolutionFor()
+  double clothResolution = 0.5;  //!< [m]
   std::int32_t rigidness = 3;
   double heightThreshold = 0.2;  //!< [m]
   double heightScale = 0.25;     //!< [m]
@@ -73,10 +74,7 @@ struct GroundParams
       flag("M"));
     v("lowPointShare", p.lowPointShare, "", "share of the points around that company must exceed",
       flag("SHARE"));
-    v("clothResolution", p.clothResolution, "m",
-      "between the cloth's particles; auto: 0.5, or an eighth of the points' distance if that is "
-      "more",
-      flag("M"));
+    v("clothResolution", p.clothResolution, "m", "between the cloth's particles", flag("M"));
     v("rigidness", p.rigidness, "", "passes of the cloth's inner constraints: 1 soft, 3 stiff",
       flag("N"));
     v("heightThreshold", p.heightThreshold, "m",
@@ -111,8 +109,6 @@ struct GroundParams
   /** \exception std::invalid_argument naming the parameter, its value and what would be right */
   void check() const;
 
-  /** That was asked for, or else what goes with points so far from each other [m]. */
-  double clothResolutionFor(double pointDistance) const;
   /** How far gravity moves a resting particle in a step, as the published code has it [m]. */
   double firstMove() const;
 };
