@@ -194,7 +194,7 @@ TEST_F(GroundInput, badCloudsAreAnErrorInOneLine)
   write("wide.csv", "x,y,z\n0,0,0\n9000,9000,1\n0,9000,1\n");
   expectError("wide.csv", {},
               {"wide.csv: the cloud spans 9000 x 9000 m, too much for cellSize = 0.25 m",
-               "take larger cells"});
+               "0.99 m would do"});
   expectError("wide.csv", {"--cell-size", "10"}, {"too much for clothResolution = 0.5 m"});
   write("text.csv", "x,y,z\n1,2\n");
   expectError("text.csv", {}, {"text.csv: line 2: has 2 columns"});
