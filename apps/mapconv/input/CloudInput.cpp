@@ -9,6 +9,7 @@
 #include <mrpt_mapconv/params/Text.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <vector>
@@ -74,6 +75,28 @@ std::string knownSystem(const PointCloud& cloud, const GeoOptions& geo, const st
     return cloud.coordinateSystem;
   printWarning(name + ": its coordinate system is not known, so GeoTIFFs name none; --crs does");
   return "";
+}
+
+/** Poses in another frame than the points would give rays of many kilometres. */
+void requireOneFrame(const SeenCloud& input, const std::string& name, const std::string& trajectory)
+{
+  constexpr double kFarthest = 100e3;  // [m]; from where no sensor sees a point
+  const auto poses = input.sensor.bounds();
+  double square = 0;
+  for (const Field axis : {Field::X, Field::Y, Field::Z})
+  {
+    const double unit = axis == Field::Z ? input.cloud.heightUnit : input.cloud.unit;
+    const auto points = rangeOf(input.cloud, axis).value_or(cloud::Range{0, 0});
+    const auto i = indexOf(axis);
+    const double gap =
+        std::max({unit * points.min - poses.max[i], poses.min[i] - unit * points.max, 0.0});
+    square += gap * gap;
+  }
+  if (square <= kFarthest * kFarthest) return;
+  constexpr double kKilometre = 1e3;
+  throw std::runtime_error(name + ": the poses of " + trajectory + " are " +
+                           params::roundedText(std::round(std::sqrt(square) / kKilometre)) +
+                           " km from its points; are both in one coordinate system and unit?");
 }
 
 std::string timesText(double from, double to)
@@ -162,6 +185,7 @@ SeenCloud readSeenCloud(files::InputStream& stream, const GeoOptions& geo,
                              "seen; info and ground do without");
   input.sensor =
       observation::readTrajectoryFile(trajectory.file, {input.cloud.unit, input.cloud.heightUnit});
+  requireOneFrame(input, name, trajectory.file);
   return input;
 }
 

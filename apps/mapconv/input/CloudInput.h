@@ -55,8 +55,8 @@ struct SeenCloud : CloudInput
 };
 
 /** The same of a cloud with times. The trajectory's lengths are in the cloud's units.
- * \exception std::runtime_error likewise, also if times or trajectory are missing: it says which
- * commands do without */
+ * \exception std::runtime_error likewise, also if times or trajectory are missing (it says which
+ * commands do without), or if poses and points are more than 100 km apart */
 SeenCloud readSeenCloud(mrpt_mapconv::files::InputStream& stream, const GeoOptions& geo,
                         const std::string& columns, const TrajectoryOptions& trajectory,
                         NoEffect& noEffect);

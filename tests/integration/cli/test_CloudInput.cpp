@@ -145,11 +145,24 @@ TEST_F(CloudInput, withoutATrajectoryOneErrorSaysWhatDoesWithout)
 
 TEST_F(CloudInput, aTrajectoryOfAnotherTimeIsAnErrorWithTheTimesOfBoth)
 {
-  write("late.txt", "0 0 0 0 0 0 0\n12.5 0 0 0 0 0 0\n");
+  write("late.txt", "0 448258 5411930 201 0 0 0\n12.5 448258 5411930 201 0 0 0\n");
   expectErrors("a.csv", along("late.txt"),
                {"a.csv: not one of its points has a time that ", "late.txt covers",
                 "they are 1600000000 to 1600000074.75 s", "the poses 0 to 12.5 s",
                 "--time-unit and --time-offset"});
+}
+
+TEST_F(CloudInput, aTrajectoryInAnotherFrameIsAnErrorWithItsDistance)
+{
+  const std::string question = " km from its points; are both in one coordinate system and unit?";
+  write("local.txt", "1.6e9 0 0 0 0 0 0\n1600000080 9 0 0 0 0 0\n");
+  expectErrors("a.csv", along("local.txt"),
+               {"a.csv: the poses of " + path("local.txt") + " are 5430" + question});
+  write("local.csv", "x,y,z,time\n0,0,0,1.6e9\n");
+  expectErrors("local.csv", along("way.txt"),
+               {"local.csv: the poses of " + path("way.txt") + " are 5430" + question});
+  write("near.txt", "1.6e9 398258 5401929 200 0 0 0\n");  // too far for a lidar, but who knows
+  EXPECT_FALSE(contains(make("terrain", "a.csv", along("near.txt")).err, question));
 }
 
 TEST_F(CloudInput, pointsOutsideTheTrajectoryAreCounted)
