@@ -24,6 +24,11 @@ void require(bool ok, const char* what)
   std::abort();
 }
 
+void requireOneLine(const std::runtime_error& error)
+{
+  require(std::string(error.what()).find('\n') == std::string::npos, "an error is one line");
+}
+
 /** A folder in memory for this process. */
 std::string folder()
 {
@@ -50,13 +55,27 @@ void check(const cloud::PointCloud& read)
             "coordinates are finite");
 }
 
+/** Not all clouds fit into each format; what is written has all points. */
+void writeAndRead(const std::string& path, const cloud::PointCloud& cloud)
+{
+  try
+  {
+    cloud::writeCloudFile(path, cloud);
+  }
+  catch (const std::runtime_error& e)
+  {
+    requireOneLine(e);
+    return;
+  }
+  require(cloud::readCloudFile(path).size() == cloud.size(), "what is written is read");
+}
+
 void readAndWrite(const std::string& path)
 {
   const cloud::PointCloud read = cloud::readCloudFile(path);
   check(read);
-  cloud::writeCloudFile(folder() + "out.las", read);
-  require(cloud::readCloudFile(folder() + "out.las").size() == read.size(),
-          "what is written is read");
+  for (const char* name : {"out.las", "out.ply", "out.pcd", "out.csv", "out.bin"})
+    writeAndRead(folder() + name, read);
   if (read.format.compare(0, 3, "LAS") == 0)
     cloud::copyLasWithClasses(path, folder() + "out.las",
                               std::vector<std::uint8_t>(read.size(), 2));
@@ -74,7 +93,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   }
   catch (const std::runtime_error& e)
   {
-    require(std::string(e.what()).find('\n') == std::string::npos, "an error is one line");
+    requireOneLine(e);
   }
   return 0;
 }

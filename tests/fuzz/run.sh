@@ -17,7 +17,7 @@ cd "$root"
 mrpt=()
 for folder in /usr/include/mrpt/*/include; do mrpt+=(-isystem "$folder"); done
 libraries=(-lmrpt-config -lmrpt-math -lmrpt-core -lmrpt-system -lgdal -lz -llzf)
-flags=(-std=c++17 -g -O1 -fno-omit-frame-pointer -fsanitize=address,undefined
+flags=(-std=c++17 -g -O1 -fno-omit-frame-pointer -fsanitize=address,undefined,float-cast-overflow
        -fno-sanitize-recover=undefined -isystem /usr/include/eigen3 -isystem /usr/include/gdal
        -Imrpt_mapconv/include
        "${mrpt[@]}")

@@ -181,7 +181,7 @@ int insert(const InsertOptions& options)
 
   ScanFile file = job.stage(
       "load", [&] { return read3DScans(options.file, options.log, noEffect, job.progress()); });
-  const auto reference = moveToOrigin(file.scans, options.geo, 0);
+  const auto reference = moveToOrigin(file.scans, shownName(options.file), options.geo, 0);
   noEffect.warn();
   requireStructure(settings);
   ScanInserter inserter(settings);

@@ -9,11 +9,15 @@
 #include <mrpt_mapconv/params/Text.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 #include <vector>
 
 #include "input/InputOptions.h"
+#include "input/NearOrigin.h"
+#include "input/SeemsGeographic.h"
 #include "output/Console.h"
 #include "output/Json.h"
 
@@ -51,19 +55,14 @@ void requireLengths(const PointCloud& cloud, const GeoOptions& geo, const std::s
       ", and maps are made in metres: " + kReprojection);
 }
 
-bool isWithin(const cloud::Range& range, double most)
+void requireCloudNearOrigin(const PointCloud& cloud, const std::string& name)
 {
-  return range.min >= -most && range.max <= most;
-}
-
-/** A survey that is a few metres high and fits into a hand is one of degrees. */
-bool seemsGeographic(const PointCloud& cloud)
-{
-  constexpr double kWidest = 0.2, kLeastHeight = 1;
-  const auto x = rangeOf(cloud, Field::X), y = rangeOf(cloud, Field::Y),
-             z = rangeOf(cloud, Field::Z);
-  if (!x || !y || !z || !isWithin(*x, 180) || !isWithin(*y, 90)) return false;
-  return x->max - x->min < kWidest && y->max - y->min < kWidest && z->max - z->min > kLeastHeight;
+  const std::array<double, 3> units = {cloud.unit, cloud.unit, cloud.heightUnit};
+  Extent extent{};
+  for (const Field axis : {Field::X, Field::Y, Field::Z})
+    extent.at(indexOf(axis)) = rangeOf(cloud, axis).value_or(cloud::Range{0, 0});
+  const auto& o = cloud.origin;
+  requireNearOrigin(name, extent, {o.x / units[0], o.y / units[1], o.z / units[2]}, units);
 }
 
 /** The system's name, unless it is of no use. */
@@ -74,6 +73,28 @@ std::string knownSystem(const PointCloud& cloud, const GeoOptions& geo, const st
     return cloud.coordinateSystem;
   printWarning(name + ": its coordinate system is not known, so GeoTIFFs name none; --crs does");
   return "";
+}
+
+/** Poses in another frame than the points would give rays of many kilometres. */
+void requireOneFrame(const SeenCloud& input, const std::string& name, const std::string& trajectory)
+{
+  constexpr double kFarthest = 100e3;  // [m]; from where no sensor sees a point
+  const auto poses = input.sensor.bounds();
+  double square = 0;
+  for (const Field axis : {Field::X, Field::Y, Field::Z})
+  {
+    const double unit = axis == Field::Z ? input.cloud.heightUnit : input.cloud.unit;
+    const auto points = rangeOf(input.cloud, axis).value_or(cloud::Range{0, 0});
+    const auto i = indexOf(axis);
+    const double gap =
+        std::max({unit * points.min - poses.max[i], poses.min[i] - unit * points.max, 0.0});
+    square += gap * gap;
+  }
+  if (square <= kFarthest * kFarthest) return;
+  constexpr double kKilometre = 1e3;
+  throw std::runtime_error(name + ": the poses of " + trajectory + " are " +
+                           params::roundedText(std::round(std::sqrt(square) / kKilometre)) +
+                           " km from its points; are both in one coordinate system and unit?");
 }
 
 std::string timesText(double from, double to)
@@ -132,6 +153,7 @@ CloudInput readCloudInput(files::InputStream& stream, const GeoOptions& geo,
   CloudInput input;
   input.cloud = cloud::readCloud(stream, readingOf(geo, columns));
   requireLengths(input.cloud, geo, stream.name());
+  requireCloudNearOrigin(input.cloud, stream.name());
   if (input.cloud.notFinite > 0)
     printWarning(params::counted(input.cloud.notFinite, "point") + " of " + stream.name() +
                  " left out: a coordinate is NaN or infinite");
@@ -162,6 +184,7 @@ SeenCloud readSeenCloud(files::InputStream& stream, const GeoOptions& geo,
                              "seen; info and ground do without");
   input.sensor =
       observation::readTrajectoryFile(trajectory.file, {input.cloud.unit, input.cloud.heightUnit});
+  requireOneFrame(input, name, trajectory.file);
   return input;
 }
 

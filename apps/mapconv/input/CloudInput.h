@@ -43,7 +43,7 @@ struct CloudInput
 /** Reads a cloud. Warns of one that seems to be in degrees, and of a coordinate system that is not
  * known.
  * \exception std::runtime_error in one line naming the file and what is wrong with it, also if its
- * coordinates are degrees */
+ * coordinates are degrees, or too far from the origin */
 CloudInput readCloudInput(mrpt_mapconv::files::InputStream& stream, const GeoOptions& geo,
                           const std::string& columns, NoEffect& noEffect);
 
@@ -55,8 +55,8 @@ struct SeenCloud : CloudInput
 };
 
 /** The same of a cloud with times. The trajectory's lengths are in the cloud's units.
- * \exception std::runtime_error likewise, also if times or trajectory are missing: it says which
- * commands do without */
+ * \exception std::runtime_error likewise, also if times or trajectory are missing (it says which
+ * commands do without), or if poses and points are more than 100 km apart */
 SeenCloud readSeenCloud(mrpt_mapconv::files::InputStream& stream, const GeoOptions& geo,
                         const std::string& columns, const TrajectoryOptions& trajectory,
                         NoEffect& noEffect);

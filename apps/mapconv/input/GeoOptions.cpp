@@ -1,5 +1,6 @@
 #include "input/GeoOptions.h"
 
+#include <mrpt/math/TBoundingBox.h>
 #include <mrpt_mapconv/grid/CoordinateSystem.h>
 #include <mrpt_mapconv/observation/FarPoses.h>
 
@@ -8,6 +9,7 @@
 #include <stdexcept>
 
 #include "input/InputOptions.h"
+#include "input/NearOrigin.h"
 
 namespace mapconv
 {
@@ -37,6 +39,13 @@ CLI::Validator isPlaneSystem()
       },
       "");
 }
+
+Extent extentOf(const std::vector<observation::PosedObservation>& scans)
+{
+  auto box = mrpt::math::TBoundingBox::PlusMinusInfinity();
+  for (const auto& scan : scans) box.updateWithPoint(scan.robotPose.translation());
+  return {{{box.min.x, box.max.x}, {box.min.y, box.max.y}, {box.min.z, box.max.z}}};
+}
 }  // namespace
 
 void addGeoOptions(CLI::App& app, GeoOptions& options)
@@ -49,7 +58,7 @@ void addGeoOptions(CLI::App& app, GeoOptions& options)
          "Default: 0, or whole metres near the first pose or point if it is far away, as in UTM")
       ->expected(3)
       ->delimiter(',')
-      ->check(isFinite())
+      ->check(isOnEarth())
       ->type_name("X,Y,Z");
   app.add_option("--crs", options.coordinateSystem,
                  "coordinate system of the input, for GeoTIFFs, e.g. EPSG:32633")
@@ -82,9 +91,11 @@ grid::GeoReference referenceOf(const mrpt::math::TPoint3D& origin,
 }
 
 grid::GeoReference moveToOrigin(std::vector<observation::PosedObservation>& scans,
-                                const GeoOptions& options, double resolution)
+                                const std::string& name, const GeoOptions& options,
+                                double resolution)
 {
   const auto origin = options.origin.value_or(observation::originOf(scans, resolution));
+  if (!scans.empty()) requireNearOrigin(name, extentOf(scans), origin);
   observation::moveToOrigin(scans, origin);
   return referenceOf(origin, options.coordinateSystem);
 }

@@ -35,9 +35,11 @@ mrpt_mapconv::grid::GeoReference referenceOf(const mrpt::math::TPoint3D& origin,
                                              const std::string& coordinateSystem, double unit = 1);
 
 /** Takes off the poses of scans what was asked for, or what they need for a map near by.
- * \param resolution of the voxel map [m]; 0: none */
+ * \param name of the log, for messages
+ * \param resolution of the voxel map [m]; 0: none
+ * \exception std::runtime_error see requireNearOrigin() */
 mrpt_mapconv::grid::GeoReference moveToOrigin(
-    std::vector<mrpt_mapconv::observation::PosedObservation>& scans, const GeoOptions& options,
-    double resolution);
+    std::vector<mrpt_mapconv::observation::PosedObservation>& scans, const std::string& name,
+    const GeoOptions& options, double resolution);
 
 }  // namespace mapconv

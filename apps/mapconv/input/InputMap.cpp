@@ -194,7 +194,7 @@ void InputMap::buildFromScans(files::ObjectFile& log, LogKind kind, const InputR
                               Progress& progress)
 {
   ScanFile file = readScans(log, kind, request.log, m_noEffect);
-  m_reference = moveToOrigin(file.scans, request.geo, resolutionOf(request));
+  m_reference = moveToOrigin(file.scans, log.path(), request.geo, resolutionOf(request));
   checkDimensions(file.scans, log.path(), request);
   if (request.insertion.voxelEngine == voxel::VoxelEngine::Octomap && request.insertion.maxMemory)
     m_noEffect.addKeys({"maxMemory"}, request.iniFile, "voxelEngine is octomap");

@@ -43,6 +43,13 @@ CLI::Validator isFinite()
   return numberThat([](double value) { return std::isfinite(value); }, "a finite number");
 }
 
+CLI::Validator isOnEarth()
+{
+  constexpr double kFarthest = 1e9;  // beyond, doubles lose what is taken off
+  return numberThat([](double value) { return std::abs(value) <= kFarthest; },
+                    "a number of -1e9 to 1e9");
+}
+
 CLI::Validator isNumber()
 {
   return numberThat([](double value) { return !std::isnan(value); }, "a number");

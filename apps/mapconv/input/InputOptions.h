@@ -36,6 +36,9 @@ CLI::Validator isNotNegative();
 /** Accepts all finite numbers. */
 CLI::Validator isFinite();
 
+/** Accepts coordinates of any system: -1e9 to 1e9. */
+CLI::Validator isOnEarth();
+
 /** Accepts whatever number the parser reads but NaN. */
 CLI::Validator isNumber();
 

@@ -53,7 +53,7 @@ PointInput ofScans(files::ObjectFile& file, LogKind kind, const PointRequest& re
 {
   ScanFile log = readScans(file, kind, request.log, noEffect);
   PointInput input;
-  input.reference = moveToOrigin(log.scans, request.geo, 0);
+  input.reference = moveToOrigin(log.scans, shownName(request.file), request.geo, 0);
   input.cloud.origin = input.reference.origin;
   ConsoleLog console;
   observation::SayOnceLog warnings(&console);

@@ -27,7 +27,7 @@ TerrainInput::TerrainInput(const TerrainRequest& request, NoEffect& noEffect, Pr
   }
   noteCloudOptions(request.trajectory, request.columns, request.geo, m_name, noEffect);
   m_log = read3DScans(std::move(stream), request.log, noEffect);
-  m_reference = moveToOrigin(m_log->scans, request.geo, 0);
+  m_reference = moveToOrigin(m_log->scans, m_name, request.geo, 0);
   m_description = m_log->description;
 }
 

@@ -29,6 +29,15 @@ bool isFile(const std::string& input)
   return input != "-" && std::filesystem::is_regular_file(input);
 }
 
+/** Whoever counts on points in the input's order, or in rows, counts wrong. */
+void warnOfLackingPoints(const std::string& file, const cloud::PointCloud& cloud)
+{
+  if (cloud.notFinite > 0)
+    printWarning(file + " lacks the " + params::counted(cloud.notFinite, "point") + " that " +
+                 (cloud.notFinite == 1 ? "was" : "were") +
+                 " left out, so its points have other numbers than those of the input");
+}
+
 void warnOfOtherFields(const std::string& file, const cloud::PointCloud& cloud)
 {
   if (isLas(cloud))
@@ -42,12 +51,7 @@ void warnOfOtherFields(const std::string& file, const cloud::PointCloud& cloud)
 
 const std::string& checkedName(const std::string& pointsFile, const std::string& input)
 {
-  cloud::requireCloudName(pointsFile);
-  if (endingOf(pointsFile) == ".bin")
-    throw std::runtime_error(
-        "cannot write '" + pointsFile +
-        "': KITTI's .bin has no classes; .las, .ply, .pcd, .xyz, .txt and .csv "
-        "have");
+  cloud::requireNameForClasses(pointsFile);
   std::error_code ignored;
   if (std::filesystem::equivalent(pointsFile, input, ignored))
     throw std::runtime_error("cannot write '" + pointsFile + "': it is the input");
@@ -65,6 +69,7 @@ void ClassifiedPoints::write(cloud::PointCloud cloud, std::vector<std::uint8_t> 
   const std::string& staged = m_file.stagingPath();
   if (isLas(cloud) && endingOf(staged) == ".las" && isFile(m_input))
     return cloud::copyLasWithClasses(m_input, staged, classes);
+  warnOfLackingPoints(m_pointsFile, cloud);
   warnOfOtherFields(m_pointsFile, cloud);
   if (!cloud.classification.empty() && !cloud.withheld.empty())
     for (std::size_t i = 0; i < classes.size(); ++i)

@@ -49,6 +49,25 @@ std::string rangeText(const PointCloud& cloud, Field field)
   return range ? jsonNumber(range->min) + " to " + jsonNumber(range->max) : "";
 }
 
+/** For people and for JSON. */
+struct EpochWords
+{
+  const char *text, *key;
+};
+EpochWords wordsOf(cloud::TimeEpoch epoch)
+{
+  switch (epoch)
+  {
+    case cloud::TimeEpoch::GpsWeek:
+      return {" s of the GPS week", "gpsWeek"};
+    case cloud::TimeEpoch::AdjustedGps:
+      return {" s, adjusted standard GPS time (GPS seconds less 1e9)", "adjustedGps"};
+    case cloud::TimeEpoch::Unknown:
+      break;
+  }
+  return {" s", ""};
+}
+
 /** All that points have beside coordinates. */
 void describeFields(const PointCloud& cloud, InfoReport& report)
 {
@@ -60,14 +79,16 @@ void describeFields(const PointCloud& cloud, InfoReport& report)
                 if (range)
                   fields.add(name, JsonObject().add("min", range->min).add("max", range->max));
               });
-  report.json.add("fields", fields).add("otherFields", cloud.otherFields);
+  const EpochWords epoch = wordsOf(cloud.timeEpoch);
+  report.json.add("fields", fields).add("timeEpoch", epoch.key);
+  report.json.add("otherFields", cloud.otherFields);
 
   const auto line = [&](const char* label, Field field, const char* what = "")
   {
     const std::string text = rangeText(cloud, field);
     if (!text.empty()) report.line(label, text + what);
   };
-  line("time", Field::Time, " s");
+  line("time", Field::Time, epoch.text);
   line("intensity", Field::Intensity);
   line("return", Field::ReturnNumber);
   line("returns", Field::NumberOfReturns);

@@ -1,5 +1,6 @@
 #include "CloudBuilder.h"
 
+#include <mrpt/core/format.h>
 #include <mrpt_mapconv/params/Text.h>
 
 #include <algorithm>
@@ -18,6 +19,18 @@ constexpr double kFar = 10e3;  // [m]; a float has millimetres there
 bool isFinite(const Row& row)
 {
   return std::isfinite(row[0]) && std::isfinite(row[1]) && std::isfinite(row[2]);
+}
+
+/** A number in the type of a field; what is beyond a float is the largest one. */
+template <class Value>
+Value fitting(double value)
+{
+  if constexpr (std::is_same_v<Value, float>)
+  {
+    constexpr auto kMost = static_cast<double>(std::numeric_limits<float>::max());
+    if (!std::isnan(value)) value = std::clamp(value, -kMost, kMost);
+  }
+  return static_cast<Value>(value);
 }
 
 /** x and y of the first point, rounded down, if any is far from the origin. */
@@ -53,9 +66,28 @@ void intoMetres(PointCloud& cloud, const grid::SystemUnits& units)
 }
 }  // namespace
 
-CloudBuilder::CloudBuilder(std::string name, FieldSet fields)
-    : m_name(std::move(name)), m_fields(fields)
+CloudBuilder::CloudBuilder(std::string name, FieldSet fields, std::size_t memory)
+    : m_name(std::move(name)), m_fields(fields), m_memory(memory)
 {
+  visitFields(m_cloud,
+              [&](Field field, const char*, const auto& values)
+              {
+                using Value = typename std::decay_t<decltype(values)>::value_type;
+                if (m_fields[indexOf(field)]) m_bytesPerPoint += sizeof(Value);
+              });
+  m_mostPoints = m_memory / m_bytesPerPoint;
+}
+
+void CloudBuilder::requireMemoryFor(std::size_t points, const char* orMore) const
+{
+  if (points <= m_mostPoints) return;
+  const auto inGigabytes = [](std::size_t bytes)
+  { return mrpt::format("%.1f GB", static_cast<double>(bytes) / params::kMegabyte / 1e3); };
+  throw std::runtime_error(m_name + ": its " + params::counted(points, "point") + orMore +
+                           " need " + inGigabytes(points * m_bytesPerPoint) + " of memory, and " +
+                           inGigabytes(m_memory) +
+                           " are what three quarters of this machine have: thin it or cut it into "
+                           "tiles, e.g. pdal tile IN.las OUT_#.las --length 500");
 }
 
 void CloudBuilder::reserve(std::uint64_t promised, const std::optional<std::uintmax_t>& fileSize,
@@ -63,6 +95,7 @@ void CloudBuilder::reserve(std::uint64_t promised, const std::optional<std::uint
 {
   const auto room = static_cast<std::size_t>(
       std::min<std::uintmax_t>(promised, fileSize.value_or(0) / bytesPerPoint));
+  requireMemoryFor(room, "");
   visitFields(m_cloud,
               [&](Field field, const char*, auto& values)
               {
@@ -77,6 +110,7 @@ void CloudBuilder::add(const Row& row)
     ++m_cloud.notFinite;
     return;
   }
+  requireMemoryFor(m_cloud.size() + 1, " or more");
   visitFields(m_cloud,
               [&](Field field, const char* name, auto& values)
               {
@@ -87,7 +121,7 @@ void CloudBuilder::add(const Row& row)
                   if (!(value >= 0 && value <= std::numeric_limits<Value>::max() &&
                         value == std::floor(value)))
                     refuse(name, value);
-                values.push_back(static_cast<Value>(value));
+                values.push_back(fitting<Value>(value));
               });
 }
 

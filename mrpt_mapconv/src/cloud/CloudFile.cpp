@@ -35,7 +35,8 @@ std::optional<CloudFormat> formatOf(files::InputStream& stream)
 
 using Writer = void (*)(const std::string& path, const PointCloud& cloud);
 
-Writer writerFor(const std::string& path)
+/** By the name's ending; null for one that is not known. */
+Writer findWriter(const std::string& path)
 {
   const std::string ending = params::lowerCase(std::filesystem::path(path).extension().string());
   if (ending == ".las") return &writeLas;
@@ -43,9 +44,16 @@ Writer writerFor(const std::string& path)
   if (ending == ".pcd") return &writePcd;
   if (ending == ".bin") return &writeKitti;
   if (ending == ".csv" || ending == ".xyz" || ending == ".txt") return &writeText;
-  throw std::runtime_error("cannot write '" + path +
-                           "': a cloud of points is written as .las, .ply, .pcd, .xyz, .txt, "
-                           ".csv or .bin (KITTI)");
+  return nullptr;
+}
+
+constexpr const char* kWithClasses = ".las, .ply, .pcd, .xyz, .txt";
+
+Writer writerFor(const std::string& path)
+{
+  if (const Writer write = findWriter(path)) return write;
+  throw std::runtime_error("cannot write '" + path + "': a cloud of points is written as " +
+                           kWithClasses + ", .csv or .bin (KITTI)");
 }
 }  // namespace
 
@@ -78,7 +86,14 @@ PointCloud readCloudFile(const std::string& path, const CloudReading& reading)
   return readCloud(stream, reading);
 }
 
-void requireCloudName(const std::string& path) { writerFor(path); }
+void requireNameForClasses(const std::string& path)
+{
+  const Writer write = findWriter(path);
+  if (write != nullptr && write != &writeKitti) return;
+  throw std::runtime_error("cannot write '" + path +
+                           "': " + (write != nullptr ? "KITTI's .bin has no classes; " : "") +
+                           "points with classes are written as " + kWithClasses + " or .csv");
+}
 
 void writeCloudFile(const std::string& path, const PointCloud& cloud)
 {

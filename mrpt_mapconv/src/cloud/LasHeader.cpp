@@ -52,7 +52,9 @@ void takeBytes(BlockInput& input, LasHeader& header)
 
 void readCounts(LasHeader& header)
 {
-  header.wkt = (field<std::uint16_t>(header, las_at::kEncoding) & kLasWkt) != 0;
+  const auto encoding = field<std::uint16_t>(header, las_at::kEncoding);
+  header.wkt = (encoding & kLasWkt) != 0;
+  header.adjustedTime = (encoding & kLasAdjustedTime) != 0;
   header.pointsAt = field<std::uint32_t>(header, las_at::kPointsAt);
   header.records = field<std::uint32_t>(header, las_at::kRecords);
   header.pointFormat = field<std::uint8_t>(header, las_at::kPointFormat);

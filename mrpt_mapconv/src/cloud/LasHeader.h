@@ -15,6 +15,7 @@ struct LasHeader
   std::string bytes;                //!< the whole of it, as it stands in the file
   int minor = 0;                    //!< of version 1.minor
   bool wkt = false;                 //!< whether its coordinate system is given as WKT
+  bool adjustedTime = false;        //!< whether times are adjusted GPS time, not of the GPS week
   std::uint64_t pointsAt = 0;       //!< first byte of the points
   std::uint32_t records = 0;        //!< variable length records before the points
   std::uint64_t lateRecordsAt = 0;  //!< first byte of those behind the points
@@ -34,8 +35,9 @@ constexpr std::size_t kEncoding = 6, kMajor = 24, kMinor = 25, kSystem = 26, kSo
                       kOffset = 155, kLimits = 179, kLateRecordsAt = 235, kLateRecords = 243,
                       kCount = 247, kReturns = 255;
 }  // namespace las_at
-constexpr std::size_t kLasHeader14 = 375;  //!< bytes of a header of version 1.4
-constexpr unsigned kLasWkt = 0x10;         //!< in kEncoding: the coordinate system is WKT
+constexpr std::size_t kLasHeader14 = 375;    //!< bytes of a header of version 1.4
+constexpr unsigned kLasAdjustedTime = 0x01;  //!< in kEncoding: times are adjusted GPS time
+constexpr unsigned kLasWkt = 0x10;           //!< in kEncoding: the coordinate system is WKT
 
 /** Where the fields of a point are, by its format (the same, tables 7 to 17). */
 struct LasPointLayout

@@ -67,6 +67,8 @@ PointCloud readLas(BlockInput& input, const CloudReading& reading)
   PointCloud cloud = std::move(builder).finished(reading, projection.units(header.wkt));
   cloud.format = "LAS 1." + std::to_string(header.minor) + ", point format " +
                  std::to_string(header.pointFormat);
+  if (!cloud.time.empty())
+    cloud.timeEpoch = header.adjustedTime ? TimeEpoch::AdjustedGps : TimeEpoch::GpsWeek;
   cloud.coordinateSystem = projection.text(header.wkt);
   return cloud;
 }

@@ -57,7 +57,14 @@ bool intensitiesFit(const PointCloud& cloud)
 {
   constexpr float kMost = 65535;
   return std::all_of(cloud.intensity.begin(), cloud.intensity.end(),
-                     [](float v) { return v >= 0 && v <= kMost && v == std::floor(v); });
+                     [](float v)
+                     { return std::isnan(v) || (v >= 0 && v <= kMost && v == std::floor(v)); });
+}
+
+/** 0 where nobody knows, for which whole numbers have no sign. */
+std::uint16_t wholeIntensity(float value)
+{
+  return std::isnan(value) ? std::uint16_t(0) : static_cast<std::uint16_t>(value);
 }
 
 template <class Number>
@@ -114,6 +121,13 @@ void putAxes(const std::array<Axis, 3>& axes, std::string& bytes)
   }
 }
 
+std::uint16_t encodingOf(const PointCloud& cloud, const std::string& projection)
+{
+  const unsigned wkt = holdsWkt(projection) ? kLasWkt : 0;
+  const unsigned time = cloud.timeEpoch == TimeEpoch::AdjustedGps ? kLasAdjustedTime : 0;
+  return static_cast<std::uint16_t>(wkt | time);
+}
+
 /** The header of LAS 1.4 and the record that follows it, if there is one. */
 std::string headerOf(const PointCloud& cloud, int format, const std::array<Axis, 3>& axes)
 {
@@ -121,7 +135,7 @@ std::string headerOf(const PointCloud& cloud, int format, const std::array<Axis,
   const std::string record = projectionRecord(cloud.coordinateSystem);
   std::string bytes(kLasHeader14, '\0');
   bytes.replace(0, 4, "LASF");
-  if (holdsWkt(record)) put(bytes, las_at::kEncoding, static_cast<std::uint16_t>(kLasWkt));
+  put(bytes, las_at::kEncoding, encodingOf(cloud, record));
   put(bytes, las_at::kMajor, std::uint8_t(1));
   put(bytes, las_at::kMinor, std::uint8_t(4));
   bytes.replace(las_at::kSystem, 5, "OTHER");
@@ -143,8 +157,7 @@ std::string pointOf(const PointCloud& cloud, std::size_t i, const LasPointLayout
   std::string bytes(layout.size, '\0');
   for (std::size_t axis = 0; axis < axes.size(); ++axis)
     put(bytes, axis * sizeof(std::int32_t), axes.at(axis).whole(i));
-  if (hasIntensity)
-    put(bytes, LasPointLayout::kIntensity, static_cast<std::uint16_t>(cloud.intensity[i]));
+  if (hasIntensity) put(bytes, LasPointLayout::kIntensity, wholeIntensity(cloud.intensity[i]));
   const unsigned returns = returnsOr1(cloud.numberOfReturns, i) << (layout.isOld ? 3U : 4U) |
                            returnsOr1(cloud.returnNumber, i);
   put(bytes, LasPointLayout::kReturns, static_cast<std::uint8_t>(returns));

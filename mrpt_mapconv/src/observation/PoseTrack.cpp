@@ -36,6 +36,20 @@ bool PoseTrack::insert(TTimeStamp time, const CPose3D& pose,
   return true;
 }
 
+std::optional<CPose3D> PoseTrack::knownAt(TTimeStamp time) const
+{
+  const auto found = m_poses.find(time);
+  if (found == m_poses.end()) return std::nullopt;
+  return found->second.mean;
+}
+
+mrpt::math::TBoundingBox PoseTrack::bounds() const
+{
+  auto box = mrpt::math::TBoundingBox::PlusMinusInfinity();
+  for (const auto& [time, pose] : m_poses) box.updateWithPoint(pose.mean.translation());
+  return box;
+}
+
 PoseTrack::Coverage PoseTrack::coverage(TTimeStamp time, double maxGap) const
 {
   using mrpt::system::timeDifference;

@@ -53,15 +53,21 @@ void intoMetres(const LengthUnits& units, std::vector<double>& line)
     for (int column = row; column < 6; ++column) line[next++] *= factors[row] * factors[column];
 }
 
+double quaternionLength(const std::vector<double>& line)
+{
+  return std::hypot(std::hypot(line[4], line[5]), std::hypot(line[6], line[7]));
+}
+
 mrpt::poses::CPose3D poseOf(const std::vector<double>& line)
 {
   if (line.size() != kQuaternion) return {line[1], line[2], line[3], line[4], line[5], line[6]};
-  mrpt::math::CQuaternionDouble turn(line[7], line[4], line[5], line[6]);  // r first
-  turn.normalize();
+  const double length = quaternionLength(line);  // MRPT takes none that is longer or shorter than 1
+  const mrpt::math::CQuaternionDouble turn(line[7] / length, line[4] / length, line[5] / length,
+                                           line[6] / length);  // r first
   return mrpt::poses::CPose3D(turn, line[1], line[2], line[3]);
 }
 
-std::optional<HeightCovariance> covarianceOf(const std::vector<double>& line)
+std::optional<mrpt::math::CMatrixDouble66> covarianceOf(const std::vector<double>& line)
 {
   if (line.size() != kWithCovariance) return std::nullopt;
   mrpt::math::CMatrixDouble66 covariance;
@@ -69,7 +75,7 @@ std::optional<HeightCovariance> covarianceOf(const std::vector<double>& line)
   for (int row = 0; row < 6; ++row)
     for (int column = row; column < 6; ++column)
       covariance(row, column) = covariance(column, row) = line[next++];
-  return heightCovariance(covariance);
+  return covariance;
 }
 
 /** Reads poses, line by line. */
@@ -104,8 +110,8 @@ class TrajectoryReader
     if (numbers->size() == kQuaternion && !isTurn(*numbers))
       fail(line, "has a quaternion whose length is not 1");
     intoMetres(m_units, *numbers);
-    if (!m_track.insert(timeStampOf(numbers->front()), poseOf(*numbers), covarianceOf(*numbers)))
-      fail(line, "has a time that is not valid");
+    if (!isOnEarth(*numbers)) fail(line, "has a position more than 1e9 m from 0");
+    add(line, *numbers);
   }
 
   PoseTrack take()
@@ -115,6 +121,21 @@ class TrajectoryReader
   }
 
  private:
+  void add(const std::string& line, const std::vector<double>& numbers)
+  {
+    const auto time = timeStampOf(numbers.front());
+    const auto pose = poseOf(numbers);
+    const auto covariance = covarianceOf(numbers);
+    if (covariance && !isCovariance(*covariance))
+      fail(line,
+           "has a covariance that is none: variances must be 0 or more, and the matrix positive "
+           "semi-definite");
+    if (const auto known = m_track.knownAt(time); known && *known != pose)
+      fail(line, "has the time of a line before it, but another pose");
+    if (!m_track.insert(time, pose, covariance ? heightCovariance(*covariance) : std::nullopt))
+      fail(line, "has a time that is not valid");
+  }
+
   static bool isKnown(std::size_t columns)
   {
     return columns == kAngles || columns == kQuaternion || columns == kWithCovariance;
@@ -130,8 +151,13 @@ class TrajectoryReader
   }
   static bool isTurn(const std::vector<double>& line)
   {
-    const double length = std::hypot(std::hypot(line[4], line[5]), std::hypot(line[6], line[7]));
-    return std::abs(length - 1) < 0.01;
+    return std::abs(quaternionLength(line) - 1) < 0.01;
+  }
+  static bool isOnEarth(const std::vector<double>& line)
+  {
+    constexpr double kFarthest = 1e9;  // [m]; whole coordinate systems are below a tenth of it
+    return std::all_of(line.begin() + 1, line.begin() + 4,
+                       [](double metres) { return std::abs(metres) <= kFarthest; });
   }
   [[noreturn]] void fail(const std::string& line, const std::string& what) const
   {

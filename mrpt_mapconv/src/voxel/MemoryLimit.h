@@ -1,5 +1,6 @@
 #pragma once
 
+#include <mrpt_mapconv/params/MemoryLimit.h>
 #include <mrpt_mapconv/voxel/VoxelGrid.h>
 
 #include <atomic>
@@ -9,9 +10,6 @@
 
 namespace mrpt_mapconv::voxel
 {
-/** maxMemory in bytes: what was asked for [MB], or else three quarters of the machine's memory. */
-std::size_t memoryLimit(const std::optional<std::int32_t>& maxMemory);
-
 /** Announces to a grid that it is going to grow. Counts what it has only if it may become too much.
  * \param more bytes that it grows by at most
  * \exception std::runtime_error naming maxMemory and by how much it is exceeded */
@@ -24,7 +22,7 @@ class MemoryBudget
   MemoryBudget(const VoxelGrid& grid, const std::optional<std::int32_t>& maxMemory)
       : m_grid(grid),
         m_maxMemory(maxMemory),
-        m_limit(memoryLimit(maxMemory)),
+        m_limit(params::memoryLimit(maxMemory)),
         m_taken(grid.heapBytesAtMost())
   {
   }

@@ -22,7 +22,7 @@ struct LeafTooLarge : std::runtime_error
 };
 
 /** Fills an empty grid with the leaves of an `.ot` file's nodes, which have to be whole.
- * \param maxMemory of the grid [MB]; none: see memoryLimit()
+ * \param maxMemory of the grid [MB]; none: see params::memoryLimit()
  * \exception std::runtime_error if the grid would exceed it */
 void addFullNodes(std::string_view bytes, const std::optional<std::int32_t>& maxMemory,
                   VoxelGrid& grid);

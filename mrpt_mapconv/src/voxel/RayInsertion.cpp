@@ -75,7 +75,7 @@ void reserveMemoryFor(const SnappedRays& snapped, const RayModel& model,
                       const std::optional<std::int32_t>& maxMemory, VoxelGrid& grid)
 {
   if (snapped.rays.empty()) return;
-  const auto limit = static_cast<double>(memoryLimit(maxMemory));
+  const auto limit = static_cast<double>(params::memoryLimit(maxMemory));
   const double most = mostBytes(snapped.rays);
   if (static_cast<double>(grid.heapBytesAtMost()) + most <= limit)
     return grid.announce(static_cast<std::size_t>(most));

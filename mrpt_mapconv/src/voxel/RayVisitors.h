@@ -139,7 +139,7 @@ class RayMemory
       : m_grid(grid),
         m_model(model),
         m_maxMemory(maxMemory),
-        m_most(memoryLimit(maxMemory) + kBeyond)
+        m_most(params::memoryLimit(maxMemory) + kBeyond)
   {
   }
 

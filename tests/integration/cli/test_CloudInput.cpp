@@ -3,6 +3,8 @@
 #include <mrpt_mapconv/grid/CoordinateSystem.h>
 #include <mrpt_mapconv/grid/GeoTiff.h>
 
+#include <sstream>
+
 #include "CloudFiles.h"
 #include "Program.h"
 #include "Raster.h"
@@ -21,6 +23,19 @@ std::vector<std::string> operator+(std::vector<std::string> words,
 {
   words.insert(words.end(), more.begin(), more.end());
   return words;
+}
+
+/** Lines of x, y, z and time, of 10 x 10 points.
+ * \param spacing in x and y \param rise of z, in steps of 3 or 7, from point to point */
+std::string surveyText(double spacing, double rise, double y = 48)
+{
+  std::ostringstream text;
+  text.precision(12);
+  text << "x,y,z,time\n";
+  for (int i = 0; i < 100; ++i)
+    text << 9.1 + spacing * (i % 10) << ',' << y + spacing * (i / 10) << ','
+         << 200 + rise * (i * 7 % 10) << ',' << 0.01 * i << '\n';
+  return text.str();
 }
 
 class CloudInput : public ::testing::Test
@@ -145,11 +160,24 @@ TEST_F(CloudInput, withoutATrajectoryOneErrorSaysWhatDoesWithout)
 
 TEST_F(CloudInput, aTrajectoryOfAnotherTimeIsAnErrorWithTheTimesOfBoth)
 {
-  write("late.txt", "0 0 0 0 0 0 0\n12.5 0 0 0 0 0 0\n");
+  write("late.txt", "0 448258 5411930 201 0 0 0\n12.5 448258 5411930 201 0 0 0\n");
   expectErrors("a.csv", along("late.txt"),
                {"a.csv: not one of its points has a time that ", "late.txt covers",
                 "they are 1600000000 to 1600000074.75 s", "the poses 0 to 12.5 s",
                 "--time-unit and --time-offset"});
+}
+
+TEST_F(CloudInput, aTrajectoryInAnotherFrameIsAnErrorWithItsDistance)
+{
+  const std::string question = " km from its points; are both in one coordinate system and unit?";
+  write("local.txt", "1.6e9 0 0 0 0 0 0\n1600000080 9 0 0 0 0 0\n");
+  expectErrors("a.csv", along("local.txt"),
+               {"a.csv: the poses of " + path("local.txt") + " are 5430" + question});
+  write("local.csv", "x,y,z,time\n0,0,0,1.6e9\n");
+  expectErrors("local.csv", along("way.txt"),
+               {"local.csv: the poses of " + path("way.txt") + " are 5430" + question});
+  write("near.txt", "1.6e9 398258 5401929 200 0 0 0\n");  // too far for a lidar, but who knows
+  EXPECT_FALSE(contains(make("terrain", "a.csv", along("near.txt")).err, question));
 }
 
 TEST_F(CloudInput, pointsOutsideTheTrajectoryAreCounted)
@@ -268,16 +296,18 @@ TEST_F(CloudInput, degreesAreRefusedWithARemedy)
 
 TEST_F(CloudInput, whatSeemsToBeDegreesGetsAWarning)
 {
-  write("seems.csv", "x,y,z,time\n9.1,48,200,0\n9.2,48.1,230,1\n");
   write("way.txt", "0 9 48 210 0 0 0\n1 9 48 210 0 0 0\n");
+  write("seems.csv", surveyText(1e-5, 0.3));  // a metre from point to point
   const auto run = make("convert", "seems.csv", along("way.txt"));
   EXPECT_TRUE(contains(run.err, "warning: " + path("seems.csv") +
                                     ": its coordinates seem to be degrees, but are taken for "
                                     "metres; reproject it"))
       << run.err;
-  for (const char* cloud : {"x,y,z,time\n9.1,48,200,0\n9.2,48.1,200.5,1\n",  // flat
-                            "x,y,z,time\n9.1,48,200,0\n9.4,48.1,230,1\n",    // wide
-                            "x,y,z,time\n9.1,148,200,0\n9.2,148.1,230,1\n"})
+  for (const auto& cloud : {surveyText(1e-5, 0.03),      // less than a metre high
+                            surveyText(0.03, 0.3),       // wide
+                            surveyText(1e-5, 0.3, 148),  // y is no latitude
+                            surveyText(0.01, 0.5),       // a mast of 0.1 m
+                            surveyText(0.002, 0.3)})     // a wire
   {
     write("seems.csv", cloud);
     EXPECT_FALSE(contains(make("convert", "seems.csv", along("way.txt")).err, "degrees")) << cloud;

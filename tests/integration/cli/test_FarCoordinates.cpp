@@ -148,6 +148,20 @@ TEST_F(FarCoordinates, anOriginIsTakenAsGiven)
   }
 }
 
+TEST_F(FarCoordinates, anOriginThatWouldTakePrecisionIsRefused)
+{
+  writeHall("hall.simplemap");
+  for (const auto& maker : kMakers)
+    for (const std::string origin : {"448258,5411929,1e9", "1e9,5411929,200"})
+    {
+      const auto run = make(maker, path("hall.simplemap"), {"--origin", origin});
+      EXPECT_EQ(1, run.status) << maker.command;
+      EXPECT_TRUE(isOneError(run.err)) << run.err;
+      EXPECT_TRUE(contains(run.err, "hall.simplemap: its ")) << run.err;
+      EXPECT_TRUE(contains(run.err, "--origin 448258,5411929,200 would do")) << run.err;
+    }
+}
+
 TEST_F(FarCoordinates, posesOfSimplemapsGetAnOriginByThemselves)
 {
   writeHall("hall.simplemap");

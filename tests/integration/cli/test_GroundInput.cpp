@@ -210,6 +210,23 @@ TEST_F(GroundInput, aClothThatDoesNotComeToRestGetsAWarning)
   EXPECT_TRUE(contains(run.err, "did not come to rest in maxIterations = 1 steps")) << run.err;
 }
 
+TEST_F(GroundInput, anOriginThatWouldTakePrecisionIsRefusedWithOneThatWouldDo)
+{
+  write("a.csv", "x,y,z\n10,20,300.125\n11,21,301\n");
+  expectError("a.csv", {"--origin", "0,0,1e9"},
+              {"a.csv: its z of 300.125 to 301 is more than 100000 from the origin's 1000000000",
+               "--origin 0,0,300 would do"});
+  expectError(
+      "a.csv", {"--origin", "1e9,0,0"},
+      {"x of 10 to 11 is more than", "the origin's 1000000000", "--origin 10,0,0 would do"});
+  write("high.csv", "x,y,z\n448258.5,5411929,2000300.5\n448259,5411930,2000301\n");
+  expectError("high.csv", {}, {"from the origin's 0", "--origin 448258,5411929,2000300 would do"});
+  const auto json = mapped("high.csv", {"--origin", "448258,5411929,2000300", "--cell-size", "1"});
+  EXPECT_EQ(json["groundMin"].number, 2000300.5);
+  write("deep.csv", "x,y,z\n0,0,0\n1,0,1\n0,1,1e10\n");
+  expectError("deep.csv", {}, {"no --origin would do"});
+}
+
 TEST_F(GroundInput, aSparseCloudGetsAWarningWithAFittingClothOrCell)
 {
   write("a.csv", "x,y,z\n0.1,0.1,1\n10.1,0.1,1\n10.1,10.1,1\n0.1,10.1,1\n");

@@ -134,6 +134,22 @@ TEST_F(GroundPoints, everyFormatWithClassesIsWrittenInTheCloudsOrder)
   EXPECT_EQ(0U, readBytes(path("b.csv")).find("x,y,z,classification\n0.125,0.125,0.015625,2\n"));
 }
 
+TEST_F(GroundPoints, lackThePointsThatWereLeftOutAndAWarningSaysSo)
+{
+  std::string pcd =
+      "VERSION .7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nCOUNT 1 1 1\nWIDTH 2\n"
+      "HEIGHT 2\nPOINTS 4\nDATA ascii\n0 0 1\nnan nan nan\n0 1 1\n1 1 1\n";
+  write("a.pcd", pcd);
+  const auto run = ground("a.pcd", {"--cell-size", "1", "--points", path("b.pcd")});
+  ASSERT_EQ(0, run.status) << run.err;
+  EXPECT_TRUE(contains(run.err, "warning: 1 point of " + path("a.pcd") + " left out")) << run.err;
+  EXPECT_TRUE(contains(run.err, "warning: " + path("b.pcd") +
+                                    " lacks the 1 point that was left out, so its points have "
+                                    "other numbers than those of the input\n"))
+      << run.err;
+  EXPECT_EQ(3U, cloud::readCloudFile(path("b.pcd")).size());
+}
+
 TEST_F(GroundPoints, classesThatTheCloudHasAreReplaced)
 {
   auto cloud = Hillside::cloud();
@@ -157,13 +173,14 @@ TEST_F(GroundPoints, aNameThatCannotBeIsRefusedBeforeTheCloudIsRead)
   write("broken.csv", "x,y,z\n1,2\n");
   write("file", "");
   std::filesystem::create_symlink(path("broken.csv"), path("link.csv"));
-  for (const auto& [name, words] :
-       std::vector<std::pair<std::string, std::string>>{{"b.laz", ".las, .ply, .pcd"},
-                                                        {"b", ".las, .ply, .pcd"},
-                                                        {"b.bin", "KITTI's .bin has no classes"},
-                                                        {"broken.csv", "it is the input"},
-                                                        {"link.csv", "it is the input"},
-                                                        {"file/b.csv", "cannot create the folder"}})
+  for (const auto& [name, words] : std::vector<std::pair<std::string, std::string>>{
+           {"b.laz", ".las, .ply, .pcd, .xyz, .txt or .csv\n"},
+           {"b.xyz.gz", ".xyz, .txt or .csv\n"},
+           {"b", ".las, .ply, .pcd"},
+           {"b.bin", "KITTI's .bin has no classes"},
+           {"broken.csv", "it is the input"},
+           {"link.csv", "it is the input"},
+           {"file/b.csv", "cannot create the folder"}})
     expectError("broken.csv", {"--points", path(name)}, {words});
 }
 

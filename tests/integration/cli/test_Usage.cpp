@@ -77,6 +77,7 @@ TEST(Usage, wrongUsageIsStatus2AndOneLineThatNamesIt)
       {{"ground", input, "-o", dir.path("out"), "--cell-size", "0"}, "--cell-size"},
       {{"ground", input, "-o", dir.path("out"), "--ground-filter", "pmf"}, "--ground-filter"},
       {{"ground", input, "-o", dir.path("out"), "--points"}, "--points"},
+      {{"ground", input, "-o", dir.path("out"), "--origin", "1e300,0,0"}, "-1e9 to 1e9"},
       {{"info"}, "FILE"},
       {{"run"}, "program"},
       {{"run", "--"}, "program"},

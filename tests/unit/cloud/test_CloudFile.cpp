@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "CloudBytes.h"
@@ -123,6 +124,39 @@ TEST(CloudFile, GzippedCloudsAreRead)
     const std::string whole = readBytes(dir.path(name + ".gz"));
     std::ofstream(dir.path("cut_" + name), std::ios::binary) << whole.substr(0, whole.size() - 12);
     EXPECT_TRUE(contains(messageOf([&] { readCloudFile(dir.path("cut_" + name)); }), "truncated"));
+  }
+}
+
+TEST(CloudFile, IntensitiesBeyondAFloatAreTheLargestOne)
+{
+  const auto read =
+      readBytesAs("a.ply",
+                  "ply\nformat binary_little_endian 1.0\nelement vertex 3\n"
+                  "property double x\nproperty double y\nproperty double z\n"
+                  "property double intensity\nend_header\n" +
+                      bytesOf(0.) + bytesOf(0.) + bytesOf(0.) + bytesOf(1e300) + bytesOf(1.) +
+                      bytesOf(0.) + bytesOf(0.) + bytesOf(-1e300) + bytesOf(2.) + bytesOf(0.) +
+                      bytesOf(0.) + bytesOf(std::nan("")));
+  constexpr float kMost = std::numeric_limits<float>::max();
+  ASSERT_EQ(3U, read.size());
+  EXPECT_EQ(kMost, read.intensity[0]);
+  EXPECT_EQ(-kMost, read.intensity[1]);
+  EXPECT_TRUE(std::isnan(read.intensity[2]));
+}
+
+TEST(CloudFile, AnIntensityThatIsNaNStaysOneExceptInALas)
+{
+  PointCloud cloud = bare();
+  cloud.intensity = {7, std::numeric_limits<float>::quiet_NaN()};
+  for (const std::string name : {"a.ply", "a.pcd", "a.csv", "a.bin", "a.las"})
+  {
+    const auto read = written(cloud, name, {0, 0, 0});
+    ASSERT_EQ(2U, read.intensity.size()) << name;
+    EXPECT_EQ(7, read.intensity[0]) << name;
+    if (name == "a.las")
+      EXPECT_EQ(0, read.intensity[1]);
+    else
+      EXPECT_TRUE(std::isnan(read.intensity[1])) << name;
   }
 }
 

@@ -109,3 +109,17 @@ TEST(LasWriter, TheHeaderCountsPointsByReturnAndSaysTheirLimits)
   EXPECT_EQ(9, at(double(), 211));
   EXPECT_EQ(-8, at(double(), 219));
 }
+
+TEST(LasWriter, TimesKeepWhatTheyCountFrom)
+{
+  PointCloud cloud = onePoint();
+  cloud.time.clear();
+  EXPECT_EQ(TimeEpoch::Unknown, written(cloud).timeEpoch) << "it has no times";
+  cloud.time.assign(cloud.size(), 5);
+  EXPECT_EQ(TimeEpoch::GpsWeek, written(cloud).timeEpoch) << "which is what a bit of 0 says";
+  cloud.timeEpoch = TimeEpoch::AdjustedGps;
+  cloud.coordinateSystem = "EPSG:32632";
+  const auto read = written(cloud);
+  EXPECT_EQ(TimeEpoch::AdjustedGps, read.timeEpoch);
+  EXPECT_EQ("EPSG:32632", read.coordinateSystem);
+}

@@ -69,13 +69,13 @@ TEST(TrajectoryFile, TwentyEightColumnsHaveTheCovariance)
   std::string line = "5;0;0;0;0;0;0";
   for (int row = 0; row < 6; ++row)
     for (int column = row; column < 6; ++column)
-      line += ";" + std::to_string(row == column ? row + 1 : 10 * row + column);
+      line += ";" + std::to_string(row == column ? row + 100 : 10 * row + column);
   const auto track = read(line + "\n");
   const auto covariance = track.covarianceAt(timeStampOf(5));
   ASSERT_TRUE(covariance);  // z, roll, pitch: rows 2, 5, 4
-  EXPECT_EQ((*covariance)(0, 0), 3);
-  EXPECT_EQ((*covariance)(1, 1), 6);
-  EXPECT_EQ((*covariance)(2, 2), 5);
+  EXPECT_EQ((*covariance)(0, 0), 102);
+  EXPECT_EQ((*covariance)(1, 1), 105);
+  EXPECT_EQ((*covariance)(2, 2), 104);
   EXPECT_EQ((*covariance)(0, 1), 25);
   EXPECT_EQ((*covariance)(0, 2), 24);
   EXPECT_EQ((*covariance)(1, 2), 45);
@@ -124,4 +124,60 @@ TEST(TrajectoryFile, ABrokenLineIsNamedByItsNumber)
     EXPECT_NE(message.find("way.txt"), std::string::npos) << message;
     EXPECT_EQ(message.find('\n'), std::string::npos) << message;
   }
+}
+
+TEST(TrajectoryFile, QuaternionsAreNormalizedUpToAHundredth)
+{
+  for (const double length : {1.0005, 0.995, 1.0095})
+  {
+    const std::string part = std::to_string(length * std::sqrt(0.5));
+    EXPECT_NEAR(at(read("1 2 3 4 0 0 " + part + " " + part + "\n"), 1).yaw(), M_PI / 2, 1e-5);
+  }
+  EXPECT_NE(refusal("0 0 0 0 0 0 0 1\n1 2 3 4 0 0 0 0.98\n").find("way.txt, line 2"),
+            std::string::npos);
+}
+
+TEST(TrajectoryFile, OneTimeHasOnePose)
+{
+  const std::string line = "1 2 3 4 0.1 0 0\n";
+  EXPECT_EQ(read(line + line).size(), 1u);
+  for (const char* other : {"1 2 3 5 0.1 0 0\n", "1.00000000001 2 3 4 0.2 0 0\n"})
+  {
+    const auto message = refusal(line + "0 0 0 0 0 0 0\n" + other);
+    EXPECT_NE(message.find("way.txt, line 3: "), std::string::npos) << message;
+    EXPECT_NE(message.find("another pose"), std::string::npos) << message;
+  }
+}
+
+TEST(TrajectoryFile, PositionsLieOnEarth)
+{
+  for (const char* place : {"1e300 0 0", "0 -2e9 0", "0 0 1e10"})
+  {
+    const auto message = refusal("0 0 0 0 0 0 0\n1 " + std::string(place) + " 0 0 0\n");
+    EXPECT_NE(message.find("way.txt, line 2: "), std::string::npos) << message;
+    EXPECT_NE(message.find("1e9 m from 0"), std::string::npos) << message;
+  }
+}
+
+TEST(TrajectoryFile, ACovarianceThatIsNoneIsNamedByItsLine)
+{
+  const auto line = [](int at, const std::string& value)
+  {
+    std::string text = "1 0 0 0 0 0 0";
+    int next = 0;
+    for (int row = 0; row < 6; ++row)
+      for (int column = row; column < 6; ++column, ++next)
+        text += " " + (next == at ? value : row == column ? "0.01" : "0");
+    return text + "\n";
+  };
+  constexpr int kVarianceOfX = 0, kXAndY = 1, kVarianceOfRoll = 20;
+  for (const auto& text : {line(kVarianceOfX, "-0.01"), line(kVarianceOfRoll, "-1e-9"),
+                           line(kXAndY, "0.011"), line(kXAndY, "-0.02")})
+  {
+    const auto message = refusal(text);
+    EXPECT_NE(message.find("way.txt, line 1: "), std::string::npos) << message;
+    EXPECT_NE(message.find("has a covariance that is none"), std::string::npos) << message;
+  }
+  EXPECT_EQ(refusal(line(kXAndY, "0.010001")), "") << "rounded";
+  EXPECT_EQ(refusal(line(kVarianceOfX, "0")), "");
 }

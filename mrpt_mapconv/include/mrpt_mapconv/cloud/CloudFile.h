@@ -33,8 +33,9 @@ bool isCloud(files::InputStream& stream);
 PointCloud readCloud(files::InputStream& stream, const CloudReading& reading = {});
 PointCloud readCloudFile(const std::string& path, const CloudReading& reading = {});
 
-/** \exception std::runtime_error unless the file's name ends in one that writeCloudFile() knows */
-void requireCloudName(const std::string& path);
+/** \exception std::runtime_error unless the file's name ends in one that writeCloudFile() knows, of
+ * a format that has classes */
+void requireNameForClasses(const std::string& path);
 
 /** Writes a cloud in the format that the file's name ends with, in the units that it was read in,
  * with its attributes as far as the format has them; the file appears whole or not at all.

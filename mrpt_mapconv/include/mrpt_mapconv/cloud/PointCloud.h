@@ -11,6 +11,14 @@
 
 namespace mrpt_mapconv::cloud
 {
+/** What a cloud's times count from. */
+enum class TimeEpoch : std::uint8_t
+{
+  Unknown,
+  GpsWeek,     //!< the beginning of the week, a Sunday
+  AdjustedGps  //!< 1e9 s after that of GPS time, so 2011-09-14
+};
+
 /** Points as a file has them, but in metres, with what it says of each. Attributes that the file
  * lacks are empty; the others have one value for each point. */
 struct PointCloud
@@ -20,7 +28,8 @@ struct PointCloud
   mrpt::math::TPoint3D origin{0, 0, 0};
   std::vector<double> x, y, z;  //!< less the origin [m]
 
-  std::vector<double> time;  //!< [s], in the file's own epoch
+  std::vector<double> time;                  //!< [s], in the file's own epoch
+  TimeEpoch timeEpoch = TimeEpoch::Unknown;  //!< as a `.las` names it
   std::vector<float> intensity;
   std::vector<std::uint8_t> returnNumber;     //!< from 1 on
   std::vector<std::uint8_t> numberOfReturns;  //!< of the pulse

@@ -14,4 +14,8 @@ using HeightCovariance = mrpt::math::CMatrixDouble33;
  * it is all 0, which is how MRPT writes that nobody knows, or none (not finite, a variance < 0). */
 std::optional<HeightCovariance> heightCovariance(const mrpt::math::CMatrixDouble66& pose);
 
+/** Whether a matrix can be a covariance: finite, no variance < 0, positive semi-definite but for
+ * the rounding of numbers in texts. */
+bool isCovariance(const mrpt::math::CMatrixDouble66& matrix);
+
 }  // namespace mrpt_mapconv::observation

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <mrpt/math/TBoundingBox.h>
 #include <mrpt/poses/CPose3D.h>
 #include <mrpt/system/datetime.h>
 #include <mrpt_mapconv/observation/PoseCovariance.h>
@@ -27,12 +28,17 @@ class PoseTrack
   bool insert(mrpt::system::TTimeStamp time, const mrpt::poses::CPose3D& pose,
               const std::optional<HeightCovariance>& covariance = {});
 
+  /** The pose that was added for exactly this time, if one was. */
+  std::optional<mrpt::poses::CPose3D> knownAt(mrpt::system::TTimeStamp time) const;
+
   bool empty() const { return m_poses.empty(); }
   std::size_t size() const { return m_poses.size(); }
   /** Times of the first and last pose, of a track that is not empty. @{ */
   mrpt::system::TTimeStamp begin() const { return m_poses.begin()->first; }
   mrpt::system::TTimeStamp end() const { return m_poses.rbegin()->first; }
   /** @} */
+  /** The box around the positions of a track that is not empty [m]. */
+  mrpt::math::TBoundingBox bounds() const;
 
   /** What the track knows of a time. */
   enum class Coverage
