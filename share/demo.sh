@@ -59,13 +59,17 @@ simulated_building() {
   made+=("$dir/paths")
 }
 
+simulate() { # WORLD DIR: keeps the simplemap of its logs, which suffices here: the office has 0.7 GB of rawlogs
+  "$mapconv" simulate "$root/config/worlds/$1.ini" -o "$2"
+  rm -f "$2"/{scans,frames}.rawlog
+  made+=("$2")
+}
+
 scanned_office() {
   local dir=$out/office
   echo
   echo "== office: a simulated robot with a 128-beam lidar among furniture, glass and people (a minute)"
-  "$mapconv" simulate "$root/config/worlds/office.ini" -o "$dir/run"
-  rm -f "$dir"/run/{scans,frames}.rawlog # 0.7 GB; the key frames suffice here
-  made+=("$dir/run")
+  simulate office "$dir/run"
 
   echo
   echo "== office: a 2D map of whole shapes, with reflections cut and without"
@@ -78,9 +82,7 @@ measured_stairs() {
   local dir=$out/stairs
   echo
   echo "== stairs: a simulated legged robot with a depth camera and a lidar (some seconds)"
-  "$mapconv" simulate "$root/config/worlds/stairs.ini" -o "$dir/run"
-  rm -f "$dir"/run/{scans,frames}.rawlog
-  made+=("$dir/run")
+  simulate stairs "$dir/run"
 
   echo
   echo "== stairs: planes and leaves; each step on the robot's way beside the true one"
@@ -92,9 +94,7 @@ flown_forest() {
   local dir=$out/forest
   echo
   echo "== forest: a simulated lidar above trees on terraces (some seconds)"
-  "$mapconv" simulate "$root/config/worlds/ground_steps.ini" -o "$dir/run"
-  rm -f "$dir"/run/{scans,frames}.rawlog
-  made+=("$dir/run")
+  simulate ground_steps "$dir/run"
 
   echo
   echo "== forest: the ground below the trees, and the height above it"

@@ -5,6 +5,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "CurvedBody.h"
+#include "TaperedCylinder.h"
+
 namespace mrpt_mapconv::sim
 {
 using mrpt::math::TPoint3D;
@@ -22,13 +25,15 @@ std::unique_ptr<Primitive> trunkAt(const World& world, const TPoint3D& foot,
     root.z = std::min(root.z, world.groundAt(x, y).value_or(foot.z));
   }
   const TPoint3D top(foot.x, foot.y, foot.z + shape.height);
-  return std::make_unique<Timber>(TaperedCylinder({root, shape.radius}, {top, shape.topRadius}));
+  return std::make_unique<CurvedBody<TaperedCylinder>>(
+      TaperedCylinder({root, shape.radius}, {top, shape.topRadius}));
 }
 
 std::unique_ptr<Primitive> logBetween(const TPoint3D& from, const TPoint3D& to, double radius)
 {
   const TPoint3D up(0, 0, radius);
-  return std::make_unique<Timber>(TaperedCylinder({from + up, radius}, {to + up, radius}));
+  return std::make_unique<CurvedBody<TaperedCylinder>>(
+      TaperedCylinder({from + up, radius}, {to + up, radius}));
 }
 
 }  // namespace mrpt_mapconv::sim

@@ -2,28 +2,10 @@
 
 #include <mrpt_mapconv/sim/Primitive.h>
 
-#include "TaperedCylinder.h"
+#include <memory>
 
 namespace mrpt_mapconv::sim
 {
-/** A trunk, or a log that lies on the ground. */
-class Timber : public Primitive
-{
- public:
-  explicit Timber(const TaperedCylinder& body) : m_body(body) {}
-
-  Footprint footprint() const override { return m_body.footprint(); }
-  void appendMesh(Mesh& mesh) const override { m_body.appendMesh(mesh); }
-  const CurvedSurface* curved() const override { return &m_body; }
-  void appendSolids(double x, double y, std::vector<Solid>& solids) const override
-  {
-    m_body.appendSolids(x, y, solids);
-  }
-
- private:
-  TaperedCylinder m_body;
-};
-
 /** How a trunk grows. */
 struct TrunkShape
 {

@@ -1,3 +1,4 @@
+#include "../CurvedBody.h"
 #include "../SectionKeys.h"
 #include "../UprightCylinder.h"
 
@@ -6,31 +7,14 @@ namespace mrpt_mapconv::sim
 namespace
 {
 /** An upright cylinder. base: centre of its lower face, x y z [m]; radius, height [m]. */
-class Cylinder : public Primitive
+std::unique_ptr<Primitive> read(params::StrictSection& section)
 {
- public:
-  explicit Cylinder(const UprightCylinder& body) : m_body(body) {}
+  const auto base = readPoint3D(section, "base");
+  const double radius = readPositive(section, "radius");
+  return std::make_unique<CurvedBody<UprightCylinder>>(
+      UprightCylinder(base, radius, readPositive(section, "height")));
+}
 
-  static std::unique_ptr<Primitive> read(params::StrictSection& section)
-  {
-    const auto base = readPoint3D(section, "base");
-    const double radius = readPositive(section, "radius");
-    return std::make_unique<Cylinder>(
-        UprightCylinder(base, radius, readPositive(section, "height")));
-  }
-
-  Footprint footprint() const override { return m_body.footprint(); }
-  void appendMesh(Mesh& mesh) const override { m_body.appendMesh(mesh); }
-  const CurvedSurface* curved() const override { return &m_body; }
-  void appendSolids(double x, double y, std::vector<Solid>& solids) const override
-  {
-    m_body.appendSolids(x, y, solids);
-  }
-
- private:
-  UprightCylinder m_body;
-};
-
-const PrimitiveKind kKind("cylinder", Cylinder::read);
+const PrimitiveKind kKind("cylinder", read);
 }  // namespace
 }  // namespace mrpt_mapconv::sim
