@@ -62,7 +62,7 @@ int mapGround(const GroundOptions& options)
   Job job;
   const aerial::GroundParams params = readGroundParams(options.iniFile, options.flags);
   job.checkOutput(options.outputDir);
-  if (!options.pointsFile.empty())
+  if (!options.pointsFile.empty())  // complains now, not after minutes of work
     static_cast<void>(ClassifiedPoints(options.pointsFile, options.input.file));
 
   NoEffect noEffect;

@@ -11,7 +11,7 @@ namespace mrpt_mapconv::grid
 enum class LayerKind
 {
   Height,     //!< heights; NaN: not known
-  Slope,      //!< slopes from 0 up; NaN: not known
+  Slope,      //!< what counts from 0 up: slopes, deviations, numbers of points; NaN: not known
   Occupancy,  //!< 0 free, (0, 1] occupied, else unknown
   Evidence,   //!< 0 none, 1 seen, 2 inferred, 3 open, 4 wall, of what is known of the ground
   Plane,      //!< index of the plane that a cell lies in, from 0 on; NaN: none
